@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstdint>
+#include <map>
+#include <optional>
+#include <vector>
+
+#include "robot/mapping/tile.hpp"
+
+namespace sensotwin::robot {
+
+/// The colours of SensoBot, section IV: white = not visited; grey = visited, some neighbour still open;
+/// black = visited, all neighbours visited or closed off.
+enum class TileColor : std::uint8_t { kWhite, kGrey, kBlack };
+
+/// Whether the robot can drive straight from the middle of a tile to the middle of its neighbour.
+enum class Passage : std::uint8_t { kUnknown, kOpen, kBlocked };
+
+/// 64-bit UID of an ISO 15693 tag.
+using TagUid = std::uint64_t;
+
+/// What the robot knows of the carpet: which tiles it has been on, which tag each holds, which passages between
+/// neighbours are open or blocked, and which tiles it has given up on. Iteration is in (column, row) order.
+class TileMap {
+ public:
+  /// The robot's antenna read `tag` on `tile`. \returns false, changing nothing, when that tag is known on
+  /// another tile or that tile holds another tag: the caller is not where it thinks it is.
+  bool mark_visited(Tile tile, TagUid tag);
+  void mark_passage(Tile tile, Direction side, Passage passage);
+  /// Given up: no way for the robot's antenna to this tile (or no tag there).
+  void mark_unreachable(Tile tile);
+
+  [[nodiscard]] bool visited(Tile tile) const;
+  [[nodiscard]] bool unreachable(Tile tile) const;
+  [[nodiscard]] Passage passage(Tile tile, Direction side) const;
+  [[nodiscard]] TileColor color(Tile tile) const;
+  [[nodiscard]] std::optional<TagUid> tag_on(Tile tile) const;
+  [[nodiscard]] std::optional<Tile> tile_of(TagUid tag) const;
+  [[nodiscard]] std::size_t visited_count() const { return tag_by_tile_.size(); }
+  /// Visited tiles with their tags.
+  [[nodiscard]] const std::map<Tile, TagUid>& tiles() const { return tag_by_tile_; }
+
+ private:
+  std::map<Tile, TagUid> tag_by_tile_;
+  std::map<TagUid, Tile> tile_by_tag_;
+  std::map<std::pair<Tile, Direction>, Passage> passages_;
+  std::map<Tile, bool> unreachable_;
+};
+
+}  // namespace sensotwin::robot

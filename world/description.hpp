@@ -1,0 +1,173 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "robot/base/geometry.hpp"
+
+/// What there is: plain values, in the order of the scene file. twin/scene fills them, world/ obeys them.
+/// Each number's default lives here and nowhere else, with its source.
+namespace sensotwin::world {
+
+using robot::Pose2;
+using robot::Vec2;
+
+/// A wall: straight segments through `points_m`, and back to the first when closed. Infinitely thin, solid on
+/// both sides, as high as the room.
+struct Wall {
+  std::vector<Vec2> points_m;
+  bool closed{true};
+};
+
+/// What a tag on a piece of furniture says of it (SensoBot, Table 2): block 1, bytes 0 to 3.
+struct ObjectTag {
+  std::uint8_t category{0};
+  std::uint8_t length{0};
+  std::uint8_t width{0};
+  std::uint8_t color{0};
+};
+
+enum class FurnitureShape : std::uint8_t { kCircle, kBox, kPolygon, kLegs };
+
+struct Furniture {
+  std::string name;
+  FurnitureShape shape{FurnitureShape::kBox};
+  Pose2 X_WF;                       ///< furniture frame in the world; legs and polygon corners are in F
+  double radius_m{0.0};             ///< circle
+  Vec2 size_m{0.0, 0.0};            ///< box: along x and y of F
+  std::vector<Vec2> points_m;       ///< polygon: convex corners; legs: their centres
+  double leg_radius_m{0.025};       ///< chosen: a 5 cm table leg
+  double height_m{0.75};            ///< of its top, for the picture. Chosen: a table
+  /// Free height below a box, circle or polygon; the robot (0.092 m high) drives under it when this is larger.
+  double clearance_m{0.0};
+  bool pushable{false};
+  double mass_kg{8.0};              ///< of a pushable piece. Chosen: a kitchen chair is 4 to 8 kg
+  double friction{0.4};             ///< of a pushable piece on the floor. Chosen: felt on carpet
+  std::optional<ObjectTag> tag;     ///< one tag per leg, or one in the middle of each side, read from the front
+};
+
+/// SensoBot, Table 1: what a tag on the wall base says (block 0, bytes 0 and 1).
+enum class LandmarkKind : std::uint8_t {
+  kDoorOpeningSide, kDoorFixedSide, kFrontDoorOpeningSide, kFrontDoorFixedSide,
+  kWindowLeft, kWindowRight, kPowerOutlet, kClosetLeft, kClosetRight,
+};
+struct Landmark {
+  LandmarkKind kind{LandmarkKind::kPowerOutlet};
+  Vec2 at_m{0.0, 0.0};
+};
+
+/// A rectangular grid of carpet tiles with one ISO 15693 tag in the middle of each. Tile (column, row) covers
+/// origin_m + tile_m * [column, column+1] x [row, row+1]. Only the tiles listed exist.
+struct Carpet {
+  double tile_m{0.508};             ///< 20 inches (SensoBot, section III.A)
+  Vec2 origin_m{0.0, 0.0};
+  std::vector<std::pair<int, int>> tiles;        ///< (column, row), in reading order; empty = no carpet
+  std::vector<std::pair<int, int>> unreadable;   ///< tiles whose tag is dead
+  double tag_offset_sigma_m{0.005};  ///< how far tags sit from the middle (1 sigma, per axis). Chosen: hand-laid
+};
+
+/// The floor under the wheels.
+struct Floor {
+  double friction{0.6};             ///< rubber on carpet, dimensionless. Chosen in 0.5 to 0.8
+  double rolling_resistance{0.04};  ///< drag of castor and pile / weight, dimensionless. Chosen: low pile carpet
+  /// Creep: slip ratio of a driven wheel per unit of (tractive force / friction limit), dimensionless.
+  double creep{0.02};
+  /// Unevenness: standard deviation of each wheel's fractional slip about its mean, and the distance over which
+  /// it stays the same.
+  double roughness{0.02};
+  double roughness_length_m{0.05};
+  /// Nap: sideways drift per metre driven across the lie of the pile, and the direction the pile lies in.
+  double nap_drift{0.01};
+  double nap_yaw_rad{0.0};
+};
+
+/// A hole in the floor (stairs): convex polygon.
+struct Cliff {
+  std::vector<Vec2> corners_m;
+};
+/// iRobot virtual wall: an infrared fan that the robot's receiver sees inside it.
+struct VirtualWall {
+  Pose2 X_WV;
+  double range_m{2.5};              ///< chosen: the accessory's middle setting is about 2.5 m
+  double half_angle_rad{0.1};       ///< chosen
+};
+struct HomeBase {
+  Pose2 X_WH;                       ///< contacts at the origin, facing along +x; the robot docks facing -x
+};
+
+/// A place where iron bends the earth's field: heading error = peak * exp(-(distance/radius)^2).
+struct CompassDistortion {
+  Vec2 at_m{0.0, 0.0};
+  double radius_m{0.5};
+  double peak_rad{0.0};
+};
+
+struct WorldDescription {
+  std::vector<Wall> walls;
+  std::vector<Furniture> furniture;
+  std::vector<Landmark> landmarks;
+  Carpet carpet;
+  Floor floor;
+  std::vector<Cliff> cliffs;
+  std::vector<VirtualWall> virtual_walls;
+  std::optional<HomeBase> home_base;
+  std::vector<CompassDistortion> compass_distortions;
+  double ceiling_m{3.0};            ///< for the picture and, later, the ceiling tags
+  /// Direction of magnetic north as a yaw in W. pi/2: north is +y, as on a plan.
+  double north_yaw_rad{1.5707963267948966};
+};
+
+enum class RoombaKind : std::uint8_t { kCreate2, kRoomba400 };
+
+/// Defaults: Create 2 Open Interface 2016 (wheel base, wheel, counts, speed); iRobot's published size and weight.
+struct RoombaDescription {
+  RoombaKind kind{RoombaKind::kCreate2};
+  double radius_m{0.17};
+  double height_m{0.092};
+  double mass_kg{3.5};
+  double wheel_base_m{0.235};
+  double wheel_diameter_m{0.072};
+  double counts_per_turn{508.8};
+  double speed_max_mps{0.5};
+  double wheel_acceleration_mps2{1.5};   ///< chosen: 0 to 0.3 m/s in 0.2 s, as Create 2 users report
+  /// Manufacturing: each wheel's diameter and the effective wheel base differ from nominal by these fractions
+  /// (1 sigma, drawn once per run). "1 % after calibration" (algorithms study, C.2).
+  double wheel_diameter_sigma{0.005};
+  double wheel_base_sigma{0.01};
+  double battery_capacity_mah{2696.0};   ///< group packet example of the Create 2; 3000 mAh nominal NiMH
+  double battery_charge_mah{2696.0};
+};
+
+/// A reading spot of an HF antenna: a disc on the floor in which a tag answers.
+struct ReaderDescription {
+  Vec2 at_m{0.0, 0.0};               ///< middle of the disc in R
+  double read_radius_m{0.08};
+  double exchange_s{0.012};          ///< one APDU exchange: ISO 15693 at 26 kbit/s plus USB. Chosen in 8 to 30 ms
+  double torn_write_probability{0.25};  ///< that a cut-off write leaves a mixed block. Chosen
+};
+
+struct CompassDescription {
+  double rate_hz{10.0};
+  double noise_sigma_rad{0.017};     ///< 1 degree. Chosen: low-cost fluxgate or MEMS on a running robot
+  double resolution_rad{0.0017453292519943296};  ///< 0.1 degree: the one decimal of HCHDM
+};
+
+struct RobotDescription {
+  RoombaDescription base;
+  ReaderDescription floor_reader;
+  ReaderDescription forward_reader{.at_m = {0.20, 0.0}, .read_radius_m = 0.10};
+  CompassDescription compass;
+  Pose2 X_WR_start;
+};
+
+/// Settings of the physics itself.
+struct PhysicsDescription {
+  int steps_per_tick{3};             ///< physics steps in one 15 ms tick
+};
+
+}  // namespace sensotwin::world

@@ -36,4 +36,14 @@ inline constexpr std::array<Direction, 4> kDirections{Direction::kEast, Directio
   return {t.column, t.row - 1};
 }
 
+/// The side of `from` that it shares with `to`. \pre the two are neighbours
+[[nodiscard]] constexpr Direction direction_between(Tile from, Tile to) {
+  for (const Direction d : kDirections) {
+    if (neighbour(from, d) == to) {
+      return d;
+    }
+  }
+  return Direction::kEast;
+}
+
 }  // namespace sensotwin::robot

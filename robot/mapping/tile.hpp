@@ -28,10 +28,14 @@ inline constexpr std::array<Direction, 4> kDirections{Direction::kEast, Directio
 }
 [[nodiscard]] constexpr Tile neighbour(Tile t, Direction d) {
   switch (d) {
-    case Direction::kEast: return {t.column + 1, t.row};
-    case Direction::kNorth: return {t.column, t.row + 1};
-    case Direction::kWest: return {t.column - 1, t.row};
-    case Direction::kSouth: break;
+    case Direction::kEast:
+      return {t.column + 1, t.row};
+    case Direction::kNorth:
+      return {t.column, t.row + 1};
+    case Direction::kWest:
+      return {t.column - 1, t.row};
+    case Direction::kSouth:
+      break;
   }
   return {t.column, t.row - 1};
 }

@@ -134,7 +134,7 @@ std::optional<MoveEnd> TileMover::pass_tag(TagUid tag, Tile target) {
   if (map_.tile_of(tag) == at_ && at_ != target) {
     return std::nullopt;
   }
-  const auto end = judge_tag(tag, at_, target);
+  const auto end = judge_tag(tag, std::nullopt, target);
   // Known tags on the way are passed by; a new one is written first.
   return end == MoveEnd::kDisplaced && !write_pending_ ? std::nullopt : end;
 }

@@ -95,7 +95,7 @@ void TileMover::write_ended(const TagWriteEnded& ended) {
   }
 }
 
-std::optional<MoveEnd> TileMover::judge_tag(TagUid tag, Tile from, Tile target) {
+std::optional<MoveEnd> TileMover::judge_tag(TagUid tag, std::optional<Tile> from, Tile target) {
   if (const auto known = map_.tile_of(tag)) {
     if (*known == from) {
       return std::nullopt;
@@ -104,8 +104,10 @@ std::optional<MoveEnd> TileMover::judge_tag(TagUid tag, Tile from, Tile target) 
     if (*known == target) {
       return MoveEnd::kArrived;
     }
-    navigator_.relocate(*known);
-    log_.add(io_.sensed.stamp, MissionEventKind::kDisplaced, *known, tag);
+    if ((navigator_.pose().p_m - navigator_.centre_m(*known)).norm() > kBelieve_m) {
+      navigator_.relocate(*known);
+      log_.add(io_.sensed.stamp, MissionEventKind::kDisplaced, *known, tag);
+    }
     return MoveEnd::kDisplaced;
   }
   const Tile nearest = navigator_.nearest_tile(navigator_.pose().p_m);

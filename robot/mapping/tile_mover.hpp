@@ -67,7 +67,7 @@ class TileMover {
   std::optional<MoveEnd> pass_tag(TagUid tag, Tile target);
   Task<> hold_for_write(Tile tile);
   /// What the tag just read means for a move towards `target`; nothing while it is the one the robot came from.
-  std::optional<MoveEnd> judge_tag(TagUid tag, Tile from, Tile target);
+  std::optional<MoveEnd> judge_tag(TagUid tag, std::optional<Tile> from, Tile target);
   void arrive(Tile tile, TagUid tag, bool first);
   void begin_write(Tile tile, TagUid tag);
 

@@ -1,18 +1,10 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include "robot/base/wheel_speeds.hpp"
 #include "robot/wire/oi_commands.hpp"
 
-namespace sensotwin::robot {
-
-/// What both wheels do on the floor, positive forward.
-struct WheelSpeeds {
-  double left_mps{0.0};
-  double right_mps{0.0};
-  bool operator==(const WheelSpeeds&) const = default;
-};
-
-namespace oi {
+namespace sensotwin::robot::oi {
 
 /// What a Drive command asks of the wheels: v (1 -+ (b/2) / R) left and right for a turning circle of radius
 /// R and a wheel base b, with the special radii of page 13. In place, v is the speed of each wheel. Radius 0
@@ -30,5 +22,4 @@ namespace oi {
 [[nodiscard]] DriveDirect drive_direct_for(const WheelSpeeds& wheels);
 [[nodiscard]] WheelSpeeds wheel_speeds(const DriveDirect& drive);
 
-}  // namespace oi
-}  // namespace sensotwin::robot
+}  // namespace sensotwin::robot::oi

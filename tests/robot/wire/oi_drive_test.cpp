@@ -43,7 +43,8 @@ TEST(DriveRadius, OfAllOnesButTheSignIsAnArcOnARoomba400) {
 }
 
 // The radius travels as a whole number of millimetres up to 2 m: an arc's wheels can be off by what half a
-// millimetre of radius makes of them, or, between the widest arc and straight, by half of that arc's difference.
+// millimetre of radius makes of them, or, between the widest arc and straight, by half of that arc's
+// difference.
 TEST(DriveFor, GivesBackTheWheelsWithinWhatTheRadiusCanSay) {
   for (int left = -300; left <= 300; left += 20) {
     for (int right = -300; right <= 300; right += 20) {
@@ -56,7 +57,8 @@ TEST(DriveFor, GivesBackTheWheelsWithinWhatTheRadiusCanSay) {
       const double radius_m = half_mps == 0.0 ? 1e9 : 0.5 * kWheelBase_m * mean_mps / half_mps;
       const double of_radius_mps = radius_m < 2e-3 ? mean_mps : half_mps * 0.5e-3 / (radius_m - 0.5e-3);
       const double of_width_mps = radius_m > 2.0 ? mean_mps * 0.5 * kWheelBase_m / 4.0 : 0.0;
-      const double tolerance_mps = 1e-3 * (1.0 + 0.5 * kWheelBase_m / radius_m) + of_radius_mps + of_width_mps;
+      const double tolerance_mps =
+          1e-3 * (1.0 + 0.5 * kWheelBase_m / radius_m) + of_radius_mps + of_width_mps;
       EXPECT_NEAR(got.left_mps, wanted.left_mps, tolerance_mps) << left << ' ' << right;
       EXPECT_NEAR(got.right_mps, wanted.right_mps, tolerance_mps) << left << ' ' << right;
     }

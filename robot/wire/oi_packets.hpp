@@ -115,6 +115,12 @@ struct PacketRun {
 };
 [[nodiscard]] const PacketRun& packet_run(std::uint8_t id);
 
+/// The packet, or group, `id` brings `packet`.
+[[nodiscard]] inline bool covers(std::uint8_t id, PacketId packet) {
+  const PacketRun& run = packet_run(id);
+  return run.first <= static_cast<std::uint8_t>(packet) && static_cast<std::uint8_t>(packet) <= run.last;
+}
+
 /// The value of every packet, as a number.
 class SensorValues {
  public:

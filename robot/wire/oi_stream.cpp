@@ -5,13 +5,25 @@
 #include <cassert>
 #include <cstring>
 
+#include "robot/wire/oi_packet_tables.hpp"
+
 namespace sensotwin::robot::oi {
 namespace {
 
+/// Sum modulo 256, eight bytes at a time: the even and the odd ones gather in 16-bit lanes, which hold 257 of
+/// them. \pre bytes.size() <= 8 * 257 / 2
 [[nodiscard]] std::uint8_t sum_of(ByteView bytes) {
-  unsigned sum = 0;
-  for (const std::uint8_t byte : bytes) {
-    sum += byte;
+  constexpr std::uint64_t kEven = 0x00FF00FF00FF00FFu;
+  std::uint64_t lanes = 0;
+  std::size_t at = 0;
+  for (; at + 8 <= bytes.size(); at += 8) {
+    std::uint64_t word = 0;
+    std::memcpy(&word, bytes.data() + at, 8);
+    lanes += (word & kEven) + ((word >> 8) & kEven);
+  }
+  auto sum = static_cast<unsigned>(lanes + (lanes >> 16) + (lanes >> 32) + (lanes >> 48));
+  for (; at < bytes.size(); ++at) {
+    sum += bytes[at];
   }
   return static_cast<std::uint8_t>(sum);
 }
@@ -87,40 +99,47 @@ std::optional<Result<ByteView, StreamError>> StreamDecoder::next() {
 }
 
 Result<std::size_t, StreamError> decode_payload(ByteView payload, SensorValues& into) {
+  const std::uint8_t* at = payload.data();
+  const std::uint8_t* const end = at + payload.size();
   std::size_t packets = 0;
-  for (std::size_t at = 0; at < payload.size(); ++packets) {
-    const auto used = decode_packet(payload[at], payload.subspan(at + 1), into);
-    if (!used) {
-      return Unexpected{used.error() == PacketError::kUnknownPacket ? StreamError::kUnknownPacket
-                                                                    : StreamError::kTooShort};
+  while (at != end) {
+    const PacketRun run = detail::kRuns[*at++];
+    if (run.size == 0) {
+      return Unexpected{StreamError::kUnknownPacket};
     }
-    at += 1 + *used;
+    if (end - at < run.size) {
+      return Unexpected{StreamError::kTooShort};
+    }
+    at = detail::read_run(run, at, into);
+    ++packets;
   }
   return packets;
 }
 
 Result<std::size_t, StreamError> encode_frame(ByteView ids, const SensorValues& values,
                                               std::span<std::uint8_t> into) {
-  std::size_t at = 2;
-  for (const std::uint8_t id : ids) {
-    if (at >= into.size()) {
-      return Unexpected{StreamError::kNoRoom};
-    }
-    into[at] = id;
-    const auto written = encode_packet(id, values, into.subspan(at + 1));
-    if (!written) {
-      return Unexpected{written.error() == PacketError::kUnknownPacket ? StreamError::kUnknownPacket
-                                                                       : StreamError::kNoRoom};
-    }
-    at += 1 + *written;
-  }
-  if (at >= into.size() || at - 2 > 255) {
+  if (into.size() < kStreamOverhead) {
     return Unexpected{StreamError::kNoRoom};
   }
+  const std::size_t payload_room = std::min<std::size_t>(into.size() - kStreamOverhead, 255);
+  std::uint8_t* const payload = into.data() + 2;
+  std::uint8_t* out = payload;
+  for (const std::uint8_t id : ids) {
+    const PacketRun run = detail::kRuns[id];
+    if (run.size == 0) {
+      return Unexpected{StreamError::kUnknownPacket};
+    }
+    if (payload_room - static_cast<std::size_t>(out - payload) < 1u + run.size) {
+      return Unexpected{StreamError::kNoRoom};
+    }
+    *out++ = id;
+    out = detail::write_run(run, values, out);
+  }
+  const auto n = static_cast<std::size_t>(out - payload);
   into[0] = kStreamHeader;
-  into[1] = static_cast<std::uint8_t>(at - 2);
-  into[at] = static_cast<std::uint8_t>(256u - sum_of(into.first(at)));
-  return at + 1;
+  into[1] = static_cast<std::uint8_t>(n);
+  into[n + 2] = static_cast<std::uint8_t>(256u - sum_of(into.first(n + 2)));
+  return n + kStreamOverhead;
 }
 
 std::size_t payload_bytes(ByteView ids) {

@@ -76,9 +76,9 @@ world::RoombaOutputs EmulatedRoomba::tick(const world::RoombaInputs& inputs) {
 
 std::size_t EmulatedRoomba::drain(std::span<std::uint8_t> into) {
   const std::size_t count = std::min({into.size(), line_held_, line_allowance_});
-  for (std::size_t i = 0; i < count; ++i) {
-    into[i] = line_[(line_begin_ + i) % kLineBytes];
-  }
+  const std::size_t to_the_end = std::min(count, kLineBytes - line_begin_);
+  std::copy_n(line_.begin() + static_cast<std::ptrdiff_t>(line_begin_), to_the_end, into.begin());
+  std::copy_n(line_.begin(), count - to_the_end, into.begin() + static_cast<std::ptrdiff_t>(to_the_end));
   line_begin_ = (line_begin_ + count) % kLineBytes;
   line_held_ -= count;
   line_allowance_ -= count;
@@ -198,9 +198,10 @@ void EmulatedRoomba::run_timers() {
 
 void EmulatedRoomba::queue(robot::ByteView bytes) {
   const std::size_t fits = std::min(bytes.size(), kLineBytes - line_held_);
-  for (std::size_t i = 0; i < fits; ++i) {
-    line_[(line_begin_ + line_held_ + i) % kLineBytes] = bytes[i];
-  }
+  const std::size_t end = (line_begin_ + line_held_) % kLineBytes;
+  const std::size_t to_the_end = std::min(fits, kLineBytes - end);
+  std::copy_n(bytes.begin(), to_the_end, line_.begin() + static_cast<std::ptrdiff_t>(end));
+  std::copy_n(bytes.begin() + static_cast<std::ptrdiff_t>(to_the_end), fits - to_the_end, line_.begin());
   line_held_ += fits;
   bytes_overrun_ += bytes.size() - fits;
 }
@@ -214,7 +215,7 @@ void EmulatedRoomba::answer(std::uint8_t id) {
     return;
   }
   queue(robot::ByteView{bytes}.first(*written));
-  clear_motion(robot::oi::packet_run(id).first, robot::oi::packet_run(id).last);
+  clear_motion(id);
 }
 
 void EmulatedRoomba::queue_stream_frame() {
@@ -225,8 +226,10 @@ void EmulatedRoomba::queue_stream_frame() {
     return;
   }
   queue(robot::ByteView{frame}.first(*written));
-  for (const std::uint8_t id : stream_.ids()) {
-    clear_motion(robot::oi::packet_run(id).first, robot::oi::packet_run(id).last);
+  if (stream_has_motion_) {
+    for (const std::uint8_t id : stream_.ids()) {
+      clear_motion(id);
+    }
   }
 }
 

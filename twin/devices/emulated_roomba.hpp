@@ -105,7 +105,7 @@ class EmulatedRoomba {
   void run_timers();
   void update_values();
   void update_motion_values();
-  void clear_motion(std::uint8_t first, std::uint8_t last);
+  void clear_motion(std::uint8_t id);
   void queue(robot::ByteView bytes);
   void answer(std::uint8_t id);
   void queue_stream_frame();
@@ -139,6 +139,7 @@ class EmulatedRoomba {
 
   robot::oi::Stream stream_;
   bool streaming_{false};
+  bool stream_has_motion_{false};  ///< distance or angle, which each frame clears
 
   /// What waits for the line. A client that asks for too much fills it, and what does not fit is lost: "the
   /// data stream will eventually become corrupted" (page 22). Size chosen: three ticks at 115200 baud.

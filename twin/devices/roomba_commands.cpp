@@ -148,9 +148,12 @@ void RoombaCommands::on(const oi::QueryList& query) {
 
 void RoombaCommands::on(const oi::Stream& stream) {
   board.stream_ = {};
+  board.stream_has_motion_ = false;
   for (const std::uint8_t id : stream.ids()) {
     if (oi::packet_run(id).size > 0) {
       board.stream_.id[board.stream_.count++] = id;
+      board.stream_has_motion_ |=
+          oi::covers(id, oi::PacketId::kDistance) || oi::covers(id, oi::PacketId::kAngle);
     }
   }
   board.streaming_ = board.stream_.count > 0;

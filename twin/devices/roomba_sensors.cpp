@@ -126,14 +126,11 @@ void EmulatedRoomba::update_motion_values() {
   values_[PacketId::kEncoderRight] = static_cast<std::int16_t>(right_.ticks().raw);
 }
 
-void EmulatedRoomba::clear_motion(std::uint8_t first, std::uint8_t last) {
-  const auto covers = [&](PacketId id) {
-    return first <= static_cast<std::uint8_t>(id) && static_cast<std::uint8_t>(id) <= last;
-  };
-  if (covers(PacketId::kDistance)) {
+void EmulatedRoomba::clear_motion(std::uint8_t id) {
+  if (robot::oi::covers(id, PacketId::kDistance)) {
     distance_mm_ = remainder_of(distance_mm_);
   }
-  if (covers(PacketId::kAngle)) {
+  if (robot::oi::covers(id, PacketId::kAngle)) {
     angle_ = config_.truncate_angle ? 0.0 : remainder_of(angle_);
   }
 }

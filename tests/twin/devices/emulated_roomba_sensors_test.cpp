@@ -5,7 +5,7 @@
 
 #include "robot/wire/oi_packets.hpp"
 #include "robot/wire/ticks.hpp"
-#include "roomba_bench.hpp"
+#include "tests/twin/devices/roomba_bench.hpp"
 #include "twin/devices/emulated_roomba.hpp"
 
 namespace sensotwin::twin {

@@ -10,8 +10,8 @@
 #include <vector>
 
 #include "robot/base/random.hpp"
-#include "roomba_bench.hpp"
 #include "tests/robot/drivers/roomba_transcripts.hpp"
+#include "tests/twin/devices/roomba_bench.hpp"
 
 namespace sensotwin::twin {
 namespace {

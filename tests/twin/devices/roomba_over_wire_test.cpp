@@ -7,7 +7,7 @@
 
 #include "robot/base/random.hpp"
 #include "robot/drivers/roomba.hpp"
-#include "roomba_bench.hpp"
+#include "tests/twin/devices/roomba_bench.hpp"
 #include "twin/devices/emulated_roomba.hpp"
 
 namespace sensotwin::twin {

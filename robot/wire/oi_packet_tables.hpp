@@ -130,7 +130,7 @@ static_assert(kRuns[101].size == 28 && kRuns[106].size == 12 && kRuns[107].size 
       value = (value << 8) | *in++;
       value = info.is_signed ? static_cast<std::int16_t>(value) : value;
     } else if (info.is_signed) {
-      value = static_cast<std::int8_t>(value);
+      value = (value ^ 0x80) - 0x80;  // the sign of 8 bits carried on
     }
     into[static_cast<PacketId>(packet)] = value;
   }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// rapidcheck takes its seed from the environment, and a fresh one when there is none: here every run is the same
-// run, unless somebody asks for another.
+// rapidcheck takes its seed from the environment, and a fresh one when there is none: here every run is the
+// same run, unless somebody asks for another.
 #include <cstdlib>
 
 namespace {

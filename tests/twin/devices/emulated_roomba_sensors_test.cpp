@@ -187,6 +187,12 @@ TEST_F(RoombaSensors, OfFirmwareBefore330TellLengthsAsPlayerUndoesThem) {
   EXPECT_EQ(ask_16(PacketId::kRequestedRadius), -50);
 }
 
+TEST_F(RoombaSensors, OfSome630sTellTenPercentTooLittleDistance) {
+  restart({.distance_scale = 0.9, .speed_step_mps = 0.0});
+  drive(200, 200, 5.0);
+  EXPECT_NEAR(ask_16(PacketId::kDistance), 900, 10);
+}
+
 TEST_F(RoombaSensors, OfSomeWifiModelsTellTheModeOneTooHigh) {
   restart({.mode_one_too_high = true});
   EXPECT_THAT(ask(35), ElementsAre(4));

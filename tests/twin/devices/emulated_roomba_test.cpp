@@ -25,27 +25,6 @@ using ::testing::SizeIs;
 namespace script = robot::transcripts;
 using script::operator+;
 
-class RoombaBoard : public ::testing::Test {
- protected:
-  /// Says `bytes`, lets one tick pass. \returns what left on the line
-  Bytes say(const Bytes& bytes = {}) {
-    roomba_.receive(bytes);
-    out_ = roomba_.tick(in_);
-    return hear(roomba_);
-  }
-  void reaches(Mode mode) {
-    say({128});
-    if (mode == Mode::kSafe || mode == Mode::kFull) {
-      say({mode == Mode::kSafe ? std::uint8_t{131} : std::uint8_t{132}});
-    }
-    ASSERT_EQ(roomba_.mode(), mode);
-  }
-
-  EmulatedRoomba roomba_{{.speed_step_mps = 0.0}};
-  world::RoombaInputs in_ = at_rest();
-  world::RoombaOutputs out_;
-};
-
 // The same transcripts as in tests/robot/drivers.
 TEST_F(RoombaBoard, AnswersTheDriversTranscripts) {
   EXPECT_EQ(say(script::kStartInSafeMode.to_robot), script::kStartInSafeMode.from_robot);
@@ -359,55 +338,6 @@ TEST_F(RoombaBoard, SurvivesAMillionRandomBytes) {
     }
   }
   EXPECT_GT(heard, 10'000u);
-}
-
-class Roomba400Board : public RoombaBoard {
- protected:
-  void SetUp() override {
-    roomba_ = EmulatedRoomba{
-        {.body = {.kind = world::RoombaKind::kRoomba400, .wheel_base_m = 0.258}, .speed_step_mps = 0.0}};
-  }
-};
-
-TEST_F(Roomba400Board, AnswersTheDriversTranscripts) {
-  EXPECT_EQ(say(script::kSciStart.to_robot), script::kSciStart.from_robot);
-  EXPECT_EQ(roomba_.mode(), Mode::kSafe);
-  EXPECT_EQ(say(script::kSciPoll.to_robot), script::kSciPoll.from_robot);
-  say(script::kSciStraight.to_robot);
-  EXPECT_DOUBLE_EQ(out_.wheel_left_mps, 0.2);
-  EXPECT_DOUBLE_EQ(out_.wheel_right_mps, 0.2);
-}
-
-TEST_F(Roomba400Board, LeavesPassiveByControlOnlyAndReachesFullOverSafe) {
-  say({128, 131});
-  EXPECT_EQ(roomba_.mode(), Mode::kPassive);
-  say({132});
-  EXPECT_EQ(roomba_.mode(), Mode::kPassive);
-  say({130});
-  EXPECT_EQ(roomba_.mode(), Mode::kSafe);
-  say({132});
-  EXPECT_EQ(roomba_.mode(), Mode::kFull);
-  say({131});
-  EXPECT_EQ(roomba_.mode(), Mode::kSafe);
-}
-
-TEST_F(Roomba400Board, KnowsNeitherSinglePacketsNorStreamsNorDriveDirect) {
-  EXPECT_THAT(say({128, 130, 142, 35, 148, 1, 7}), IsEmpty());
-  say({145, 0, 100, 0, 100});
-  EXPECT_EQ(out_.wheel_left_mps, 0.0);
-}
-
-TEST_F(Roomba400Board, TellsAngleAsHalfTheDifferenceOfItsWheelsInMillimetres) {
-  FreeWheels wheels;
-  say({128, 130, 137, 0, 100, 0, 1});  // counter-clockwise at 100 mm/s
-  int angle_mm = 0;
-  for (int i = 0; i < 67; ++i) {  // one second
-    wheels.roll(out_, in_);
-    const Bytes heard = say({142, 2});
-    ASSERT_THAT(heard, SizeIs(6));
-    angle_mm += robot::s16_from_be(heard[4], heard[5]);
-  }
-  EXPECT_NEAR(angle_mm, 100, 2);
 }
 
 }  // namespace

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <gtest/gtest.h>
+
 #include <algorithm>
 #include <array>
 #include <cstddef>
@@ -48,6 +50,28 @@ class FreeWheels {
   double step_mps_;
   double left_mps_{0.0};
   double right_mps_{0.0};
+};
+
+/// A mainboard on the bench, fed bytes and inputs by hand.
+class RoombaBoard : public ::testing::Test {
+ protected:
+  /// Says `bytes`, lets one tick pass. \returns what left on the line
+  robot::Bytes say(const robot::Bytes& bytes = {}) {
+    roomba_.receive(bytes);
+    out_ = roomba_.tick(in_);
+    return hear(roomba_);
+  }
+  void reaches(robot::oi::Mode mode) {
+    say({128});
+    if (mode == robot::oi::Mode::kSafe || mode == robot::oi::Mode::kFull) {
+      say({mode == robot::oi::Mode::kSafe ? std::uint8_t{131} : std::uint8_t{132}});
+    }
+    ASSERT_EQ(roomba_.mode(), mode);
+  }
+
+  EmulatedRoomba roomba_{{.speed_step_mps = 0.0}};
+  world::RoombaInputs in_ = at_rest();
+  world::RoombaOutputs out_;
 };
 
 }  // namespace sensotwin::twin

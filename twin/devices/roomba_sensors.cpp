@@ -68,7 +68,7 @@ void set_battery(SensorValues& values, const world::RoombaInputs& in) {
   const auto whole_mah = [](double mah) { return static_cast<std::int32_t>(std::clamp(mah, 0.0, 65535.0)); };
   values[PacketId::kVoltage] = in.battery_mv;
   values[PacketId::kCurrent] = in.battery_ma;
-  values[PacketId::kTemperature] = in.battery_c;
+  values[PacketId::kTemperature] = in.battery_c;  // NOLINT(bugprone-signed-char-misuse): below zero is meant
   values[PacketId::kCharge] = whole_mah(in.battery_charge_mah);
   values[PacketId::kCapacity] = whole_mah(in.battery_capacity_mah);
   values[PacketId::kChargingSources] =

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <chrono>
 #include <optional>
 
 #include "robot/base/bytes.hpp"

@@ -239,17 +239,17 @@ std::optional<TagEvent> TagReader::next_event() {
   if (events_.empty()) {
     return std::nullopt;
   }
-  TagEvent event = std::move(events_.front());
+  const TagEvent event = events_.front();
   events_.pop_front();
   return event;
 }
 
-void TagReader::emit(TagEvent event) {
+void TagReader::emit(const TagEvent& event) {
   if (events_.size() == kEventsKept) {
     events_.pop_front();
     ++health_.events_lost;
   }
-  events_.push_back(std::move(event));
+  events_.push_back(event);
 }
 
 }  // namespace sensotwin::robot

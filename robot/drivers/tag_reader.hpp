@@ -120,7 +120,7 @@ class TagReader {
   /// What the next READ BINARY has to bring; 0 when all is there.
   [[nodiscard]] std::size_t read_piece_bytes() const;
   void forget_tag();
-  void emit(TagEvent event);
+  void emit(const TagEvent& event);
 
   CardLink& link_;
   TagReaderConfig config_;

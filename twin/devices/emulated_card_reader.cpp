@@ -113,14 +113,13 @@ void EmulatedCardReader::tear(const robot::UpdateBinary& update, double done) {
   for (std::size_t i = 0; i <= whole && i < count; ++i) {
     TagMemory::Block& block = tag_->blocks[update.first_block + i];
     const ByteView data = update.data.subspan(i * kBlockBytes, kBlockBytes);
-    if (i < whole) {
-      std::copy(data.begin(), data.end(), block.begin());
-    } else if (random_.chance(settings_.torn_write_probability)) {
+    const bool programming = i == whole;
+    if (programming && random_.chance(settings_.torn_write_probability)) {
       for (std::size_t k = 0; k < kBlockBytes; ++k) {
         const std::uint32_t programmed = random_.below(256);
         block[k] = static_cast<std::uint8_t>((block[k] & ~programmed) | (data[k] & programmed));
       }
-    } else if (random_.chance(0.5)) {
+    } else if (!programming || random_.chance(0.5)) {
       std::copy(data.begin(), data.end(), block.begin());
     }
   }

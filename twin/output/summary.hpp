@@ -12,7 +12,7 @@ namespace sensotwin::twin {
 
 /// What a mapping mission came to. Tiles of the truth are counted by the twin, outside robot/.
 struct MapResult {
-  std::string explorer;
+  std::string explorer{};
   int tiles_reachable{0};       ///< over whose tag the robot can bring its antenna at all
   int tiles_grid_reachable{0};  ///< of these, by straight moves between neighbouring tags
   int tiles_mapped{0};          ///< that hold their right coordinates
@@ -46,9 +46,9 @@ struct LinkHealth {
 
 /// What the scene asks of one figure. A limit is inclusive; an absent one always holds.
 struct Expectation {
-  std::string name;
-  std::optional<double> min;
-  std::optional<double> max;
+  std::string name{};
+  std::optional<double> min{};
+  std::optional<double> max{};
 };
 struct JudgedExpectation {
   Expectation asked;

@@ -12,15 +12,15 @@ namespace sensotwin::twin {
 
 /// What was true and what the robot believed at the end of one tick.
 struct TraceRow {
-  robot::Instant now;
-  robot::Pose2 X_WR;                          ///< truth
-  robot::Pose2 X_OR_odometry;                 ///< O: the pose at power-on; drifts
-  std::optional<robot::Pose2> X_MR_estimate;  ///< M: the robot's own map; absent until it has one
+  robot::Instant now{};
+  robot::Pose2 X_WR{};                          ///< truth
+  robot::Pose2 X_OR_odometry{};                 ///< O: the pose at power-on; drifts
+  std::optional<robot::Pose2> X_MR_estimate{};  ///< M: the robot's own map; absent until it has one
   double command_left_mps{0.0};
   double command_right_mps{0.0};
   bool bump_left{false};
   bool bump_right{false};
-  std::optional<std::uint64_t> tag;  ///< UID in the floor reader's field, as the robot read it
+  std::optional<std::uint64_t> tag{};  ///< UID in the floor reader's field, as the robot read it
 };
 
 /// trace.csv: one header line, then one line for every n-th row handed over, the first included (RFC 4180

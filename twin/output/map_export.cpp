@@ -8,13 +8,13 @@
 namespace sensotwin::twin {
 namespace {
 
-char pixel_of(Cell cell) {
+char pixel_of(GridCell cell) {
   switch (cell) {
-    case Cell::kFree:
+    case GridCell::kFree:
       return static_cast<char>(254);
-    case Cell::kOccupied:
+    case GridCell::kOccupied:
       return 0;
-    case Cell::kUnknown:
+    case GridCell::kUnknown:
       break;
   }
   return static_cast<char>(205);

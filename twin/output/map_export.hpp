@@ -11,7 +11,7 @@
 
 namespace sensotwin::twin {
 
-enum class Cell : std::uint8_t { kFree, kOccupied, kUnknown };
+enum class GridCell : std::uint8_t { kFree, kOccupied, kUnknown };
 
 /// A map as ROS knows it. `cells` are in rows from y lowest to y highest, each from x lowest to x highest
 /// (nav_msgs/OccupancyGrid). \pre cells.size() == width * height, all above zero
@@ -20,7 +20,7 @@ struct OccupancyGrid {
   int height{0};
   double resolution_m{0.05};  ///< side of a cell
   robot::Pose2 X_MG;          ///< lower left corner of cell (0, 0) in the map's frame
-  std::vector<Cell> cells;
+  std::vector<GridCell> cells;
 };
 
 /// Binary PGM (P5), first line of pixels = highest y; free 254, occupied 0, unknown 205, as map_saver writes.

@@ -126,9 +126,9 @@ std::vector<std::string> figure_names() {
   return names;
 }
 
-std::optional<std::string> complain_about(const std::vector<Expectation>& expectations) {
+std::optional<std::string> complain_about(const std::vector<FigureLimits>& expectations) {
   const std::vector<std::string> names = figure_names();
-  for (const Expectation& expectation : expectations) {
+  for (const FigureLimits& expectation : expectations) {
     if (!std::binary_search(names.begin(), names.end(), expectation.name)) {
       std::string text = "expect: no figure is called '" + expectation.name + "'; there are ";
       for (const std::string& name : names) {
@@ -140,9 +140,9 @@ std::optional<std::string> complain_about(const std::vector<Expectation>& expect
   return std::nullopt;
 }
 
-std::vector<JudgedExpectation> judge(const std::vector<Expectation>& expectations, const Figures& figures) {
-  std::vector<JudgedExpectation> judged;
-  for (const Expectation& asked : expectations) {
+std::vector<JudgedFigure> judge(const std::vector<FigureLimits>& expectations, const Figures& figures) {
+  std::vector<JudgedFigure> judged;
+  for (const FigureLimits& asked : expectations) {
     const auto figure = figures.find(asked.name);
     const double value = figure == figures.end() ? std::numeric_limits<double>::quiet_NaN() : figure->second;
     const bool ok =
@@ -158,7 +158,7 @@ std::string to_json(const Summary& summary) {
   json["seed"] = summary.seed;
   json["verdict"] = verdict_of(summary);
   json["expect"] = Json::array();
-  for (const JudgedExpectation& e : summary.expect) {
+  for (const JudgedFigure& e : summary.expect) {
     json["expect"].push_back(Json{{"name", e.asked.name},
                                   {"value", number(e.value)},
                                   {"min", limit(e.asked.min)},

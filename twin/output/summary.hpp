@@ -45,13 +45,13 @@ struct LinkHealth {
 };
 
 /// What the scene asks of one figure. A limit is inclusive; an absent one always holds.
-struct Expectation {
+struct FigureLimits {
   std::string name{};
   std::optional<double> min{};
   std::optional<double> max{};
 };
-struct JudgedExpectation {
-  Expectation asked;
+struct JudgedFigure {
+  FigureLimits asked;
   double value{0.0};
   bool ok{false};
 };
@@ -61,7 +61,7 @@ struct Summary {
   std::string scene;  ///< as given on the command line
   std::uint64_t seed{0};
   bool interrupted{false};
-  std::vector<JudgedExpectation> expect;
+  std::vector<JudgedFigure> expect;
   std::string state_hash;  ///< StateHash::text()
   double sim_s{0.0};
   std::optional<MapResult> map;
@@ -80,11 +80,11 @@ using Figures = std::map<std::string, double, std::less<>>;
 
 /// One line that says what is wrong with the first expectation whose name is no figure, valid names included;
 /// nothing when all are figures. Ask before the run starts.
-[[nodiscard]] std::optional<std::string> complain_about(const std::vector<Expectation>& expectations);
+[[nodiscard]] std::optional<std::string> complain_about(const std::vector<FigureLimits>& expectations);
 
 /// Judges in the order given. A figure that the mission did not produce, or that is not finite, is not ok.
-[[nodiscard]] std::vector<JudgedExpectation> judge(const std::vector<Expectation>& expectations,
-                                                   const Figures& figures);
+[[nodiscard]] std::vector<JudgedFigure> judge(const std::vector<FigureLimits>& expectations,
+                                              const Figures& figures);
 
 /// Keys in a fixed order; numbers rounded to six decimals; not finite becomes null; ends in a line feed.
 [[nodiscard]] std::string to_json(const Summary& summary);

@@ -195,9 +195,9 @@ char trinary(unsigned char pixel) {
 TEST(MapExport, ReadsBackByTheTrinaryRuleWithTheFirstRowOnTop) {
   const TemporaryFolder temporary;
   RunFolder folder(temporary.path(), Existing::kRefuse);
-  constexpr auto kFree = Cell::kFree;
-  constexpr auto kWall = Cell::kOccupied;
-  constexpr auto kDark = Cell::kUnknown;
+  constexpr auto kFree = GridCell::kFree;
+  constexpr auto kWall = GridCell::kOccupied;
+  constexpr auto kDark = GridCell::kUnknown;
   write_map(folder, {.width = 3,
                      .height = 2,
                      .resolution_m = 0.05,

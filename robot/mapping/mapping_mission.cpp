@@ -17,8 +17,8 @@ Command MappingMission::step(const Sensed& sensed) {
   io_.sensed = sensed;
   io_.command.write.reset();
   navigator_.sense(sensed);
-  if (sensed.tag_write_ended) {
-    mover_.write_ended(*sensed.tag_write_ended);
+  if (sensed.write_ended) {
+    mover_.write_ended(*sensed.write_ended);
   }
   if (!started_) {
     started_ = true;

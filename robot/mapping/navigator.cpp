@@ -96,7 +96,7 @@ void Navigator::sense_tag(const Sensed& sensed) {
   }
   if (sensed.tag_identified) {
     in_field_ = true;
-    uid_ = sensed.tag_identified->tag;
+    uid_ = *sensed.tag_identified;
     identified_ = uid_;
     use_tag_in_field();
   }

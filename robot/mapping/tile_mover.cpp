@@ -80,10 +80,10 @@ void TileMover::begin_write(Tile tile, TagUid tag) {
   write_pending_ = true;
   write_in_flight_ = true;
   ++write_attempts_;
-  io_.command.write = TagWrite{tag, tile};
+  io_.command.write = TileWrite{tag, tile};
 }
 
-void TileMover::write_ended(const TagWriteEnded& ended) {
+void TileMover::write_ended(const TileWriteEnded& ended) {
   if (!write_pending_ || map_.tag_on(at_) != ended.tag) {
     return;
   }

@@ -46,7 +46,7 @@ class TileMover {
   /// True while the tag of at() still has to be written.
   [[nodiscard]] bool write_pending() const { return write_pending_; }
   /// Tells the outcome of a write; called once per step before the behaviours run.
-  void write_ended(const TagWriteEnded& ended);
+  void write_ended(const TileWriteEnded& ended);
 
  private:
   [[nodiscard]] Line line_of(Tile from, Direction d) const;

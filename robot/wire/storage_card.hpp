@@ -8,6 +8,7 @@
 
 #include "robot/base/bytes.hpp"
 #include "robot/base/result.hpp"
+#include "robot/base/tag_uid.hpp"
 
 /// Storage-card command set of PC/SC Part 3 ("Supplemental Document for Contactless ICCs", 2.02.00, April
 /// 2010, section 3.2.2), as far as ISO/IEC 15693 tags need it. Both directions: the driver encodes commands
@@ -22,9 +23,6 @@
 /// P1 P2 are "address MSB, address LSB", and the address of an ISO 15693 card is its block number. (Windows'
 /// own NFC driver, unlike CCID readers, documents the block number in P1: learn.microsoft.com, dn905578.)
 namespace sensotwin::robot {
-
-/// 64-bit UID of an ISO 15693 tag; its most significant byte is E0 (ISO/IEC 15693-3, section 4.1).
-using TagUid = std::uint64_t;
 
 /// Bytes of a block of ICODE SLI and Tag-it HFI (NXP SL2ICS20, Texas Instruments RI-I11: 32 bits).
 inline constexpr std::size_t kBlockBytes = 4;

@@ -146,24 +146,24 @@ class KinematicCarpet {
     const bool inside = (at(column, row) == '.' || at(column, row) == 'S') && offset != offsets_.end() &&
                         (X_WR_.p_m - centre(column, row) - offset->second).norm() < 0.08;
     if (inside && !in_field_) {
-      sensed.tag_entered = TagEntered{now_};
+      sensed.tag_entered = true;
       entered_ = now_;
       identified_ = false;
     } else if (!inside && in_field_) {
-      sensed.tag_left = TagLeft{now_};
+      sensed.tag_left = true;
       if (writing_) {
-        sensed.tag_write_ended = TagWriteEnded{writing_->tag, false};
+        sensed.write_ended = TileWriteEnded{writing_->tag, false};
         writing_.reset();
       }
     }
     in_field_ = inside;
     if (inside && !identified_ && now_ >= entered_ + 2 * kTick) {
       identified_ = true;
-      sensed.tag_identified = TagIdentified{now_, uid(column, row)};
+      sensed.tag_identified = uid(column, row);
     }
     if (writing_ && inside && now_ >= write_done_) {
       written_[writing_->tag] = writing_->tile;
-      sensed.tag_write_ended = TagWriteEnded{writing_->tag, true};
+      sensed.write_ended = TileWriteEnded{writing_->tag, true};
       writing_.reset();
     }
     if (command.write) {
@@ -188,7 +188,7 @@ class KinematicCarpet {
   int counted_right_{0};
   bool in_field_{false};
   bool identified_{false};
-  std::optional<TagWrite> writing_;
+  std::optional<TileWrite> writing_;
   std::map<TagUid, Tile> written_;
 };
 

@@ -14,7 +14,7 @@ namespace sensotwin::robot {
 enum class WriteFailure : std::uint8_t {
   kTagLeft,       ///< the tag left the field, or another one took its place; its blocks may be torn
   kVerifyFailed,  ///< read back differently after the last attempt
-  kRefused,       ///< the card said no; `status` says why
+  kRefused,       ///< the card said no, for good or in the last attempt; `status` says why
   kReaderGone,    ///< the reader was unplugged; the tag's blocks may be torn
   kTimeout,       ///< no answer in time, in the last attempt
 };

@@ -27,11 +27,11 @@ namespace sensotwin::robot {
 /// Bytes of a block of ICODE SLI and Tag-it HFI (NXP SL2ICS20, Texas Instruments RI-I11: 32 bits).
 inline constexpr std::size_t kBlockBytes = 4;
 
-/// In which order a reader delivers the eight bytes of a UID. PC/SC Part 3 only says "UID"; the air interface
-/// sends the least significant byte first (ISO/IEC 15693-3, section 4.1), some readers pass that on with E0
-/// last, others turn it to the order in which UIDs are printed, E0 first. No rule on the bytes tells them
-/// apart: a tag's serial number may itself end in E0. So it is a setting of the reader; the wrong one is
-/// reported as kReversed.
+/// In which order a reader delivers the eight bytes of a UID: readers do not agree. The air interface sends
+/// the least significant byte first (ISO/IEC 15693-3, section 4.1); some pass that on with E0 last, others
+/// turn it to the order in which UIDs are printed, E0 first. No rule on the bytes tells them apart: a tag's
+/// serial number may itself end in E0. So it is a setting of the reader; the wrong one is reported as
+/// kReversed.
 enum class UidOrder : std::uint8_t { kMsbFirst, kLsbFirst };
 
 /// What SW1 SW2 say; texts of ISO/IEC 7816-4 as PC/SC Part 3 uses them.

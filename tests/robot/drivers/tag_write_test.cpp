@@ -101,6 +101,16 @@ TEST(TagWrite, TriesAgainAfterAMemoryFailure) {
   EXPECT_TRUE(write.outcome() && *write.outcome());
 }
 
+TEST(TagWrite, AMemoryFailureInEachAttemptIsARefusal) {
+  TagWrite write{job_of(0, 12)};
+  for (int attempt = 0; attempt < 3; ++attempt) {
+    exchange(write, kSaysItsUid);
+    exchange(write, {kTakesNewData.command, {0x65, 0x81}});
+  }
+  ASSERT_TRUE(write.outcome());
+  EXPECT_EQ(write.outcome()->error(), (WriteError{WriteFailure::kRefused, {0x6581}}));
+}
+
 TEST(TagWrite, TriesAgainAfterATimeoutAndSaysSoAtLast) {
   TagWrite write{job_of(0, 12)};
   write.failed(CardError::kTimeout);

@@ -24,6 +24,9 @@ class EmulatedCompassBoard final : public robot::ByteLink {
   ///   counter-clockwise from magnetic north
   void step(robot::Instant now, double yaw_from_north_rad);
 
+  /// Whether step(now, ...) would send a sentence: a reading need be measured only then.
+  [[nodiscard]] bool is_due(robot::Instant now) const { return now >= due_; }
+
   void unplug();
   void replug() { plugged_ = true; }
 

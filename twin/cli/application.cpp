@@ -84,6 +84,7 @@ std::optional<std::string> unknown_word(const CLI::App& app, const std::vector<C
   }
   if (chosen.empty()) {
     std::vector<std::string> names;
+    names.reserve(commands.size());
     for (const Command& command : commands) {
       names.push_back(command.name);
     }

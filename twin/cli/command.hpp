@@ -11,7 +11,7 @@
 #include "twin/output/exit_codes.hpp"
 #include "twin/output/progress.hpp"
 
-namespace CLI {
+namespace CLI {  // NOLINT(readability-identifier-naming): the library's name
 class App;
 }
 

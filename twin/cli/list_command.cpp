@@ -47,6 +47,7 @@ ExitCode list(const std::vector<ListTopic>& topics, const std::string& wanted, C
     return ExitCode::kDone;
   }
   std::vector<std::string> known;
+  known.reserve(names.size());
   for (const ListEntry& name : names) {
     known.push_back(name.name);
   }
@@ -82,6 +83,7 @@ std::vector<ListEntry> scenes_in(const std::filesystem::path& folder) {
   }
   std::sort(files.begin(), files.end());
   std::vector<ListEntry> entries;
+  entries.reserve(files.size());
   for (const auto& file : files) {
     entries.push_back({file.string(), first_comment(file)});
   }
@@ -130,6 +132,7 @@ ListTopic figures_topic() {
 ListTopic exit_codes_topic() {
   return {"exit-codes", "what the process says when it ends", [] {
             std::vector<ListEntry> entries;
+            entries.reserve(kExitCodeMeanings.size());
             for (const auto& [code, meaning] : kExitCodeMeanings) {
               entries.push_back({std::to_string(as_int(code)), std::string{meaning}});
             }

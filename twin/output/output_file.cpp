@@ -17,7 +17,7 @@ namespace sensotwin::twin {
 namespace {
 
 // Chosen: large enough that system calls vanish beside formatting, small enough to stay in the L2 cache.
-constexpr std::size_t kBufferSize = 64 * 1024;
+constexpr std::size_t kBufferSize = 65536;
 static_assert(kBufferSize >= OutputFile::kRoomMax);
 
 std::string reason(int error_number) {

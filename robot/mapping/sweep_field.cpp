@@ -27,7 +27,7 @@ TileBounds SweepField::presumed_bounds(const TileMap& map) {
   return bounds;
 }
 
-void SweepField::build(const TileMap& map, bool doubtful_too) {
+void SweepField::build(const TileMap& map, DoubtfulTiles doubtful_tiles) {
   presumed_ = presumed_bounds(map);
   corner_ = presumed_.grown(1).min;
   stride_ = static_cast<Cell>(presumed_.columns() + 2);
@@ -42,7 +42,7 @@ void SweepField::build(const TileMap& map, bool doubtful_too) {
       const Tile t{column, row};
       const auto c = static_cast<std::size_t>(cell(t));
       const bool visited = map.visited(t);
-      present[c] = visited || (!map.unreachable(t) && (doubtful_too || !doubtful(map, t)));
+      present[c] = visited || (!map.unreachable(t) && (doubtful_tiles == DoubtfulTiles::kWanted || !doubtful(map, t)));
       wanted_[c] = present[c] && !visited;
       wanted_count_ += wanted_[c];
     }

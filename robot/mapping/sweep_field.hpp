@@ -10,18 +10,22 @@
 
 namespace sensotwin::robot {
 
+/// Tiles that some passage was found blocked to and none open. In a room of blocked tiles they are obstacles; in one
+/// with walls between free tiles they may be reached from another side, and are worth trying when all else is done.
+enum class DoubtfulTiles : std::uint8_t { kLeftOut, kWanted };
+
 /// The room as a plan presumes it: what is known, and the unknown taken for free floor.
 ///
 /// The room's size is not known. Presumed is the rectangle round all tiles that are visited or that an open passage
-/// leads to; it grows as such tiles are found. A tile that some passage was found blocked to, and none open, is
-/// presumed an obstacle and left out, unless `doubtful_too`.
+/// leads to; it grows as such tiles are found. In an empty room this makes the robot follow the walls first, which
+/// costs nothing and finds the room's size early.
 ///
 /// Cells are numbered row by row in a rectangle with a rim of absent cells, so that every neighbour has a number.
 class SweepField {
  public:
   using Cell = std::int32_t;
 
-  void build(const TileMap& map, bool doubtful_too);
+  void build(const TileMap& map, DoubtfulTiles doubtful_tiles);
 
   [[nodiscard]] Cell cell(Tile t) const {
     return static_cast<Cell>((t.row - corner_.row) * stride_ + t.column - corner_.column);
@@ -35,6 +39,9 @@ class SweepField {
   [[nodiscard]] const std::vector<std::uint8_t>& sides() const { return sides_; }
   /// 1 for cells that a plan has yet to visit.
   [[nodiscard]] const std::vector<std::uint8_t>& wanted() const { return wanted_; }
+  [[nodiscard]] bool wanted_beyond(Cell c, int side) const {
+    return (sides_[static_cast<std::size_t>(c)] >> side & 1) != 0 && wanted_[static_cast<std::size_t>(c + step(side))] != 0;
+  }
   [[nodiscard]] int wanted_count() const { return wanted_count_; }
 
  private:

@@ -2,7 +2,6 @@
 #include "robot/mapping/sweep_plan.hpp"
 
 #include <algorithm>
-#include <cassert>
 
 namespace sensotwin::robot {
 namespace {
@@ -76,7 +75,7 @@ int SweepPlanner::best_side(const SweepRule& rule) const {
   for (const int left : {0, 3, 1, 2}) {
     const int side = (heading_ + left) & 3;
     const Cell next = at_ + field_->step(side);
-    if (!(field_->sides()[idx(at_)] >> side & 1) || !wanted_[idx(next)]) continue;
+    if ((field_->sides()[idx(at_)] >> side & 1) == 0 || wanted_[idx(next)] == 0) continue;
     double sum = rule.per_wanted_neighbour * wanted_neighbours(next) + (left != 0 ? rule.not_straight : 0.0) +
                  (left == 3 ? rule.right : 0.0) + (left == 1 ? rule.left : 0.0);
     if (rule.splits != 0.0 && splits(next)) sum += rule.splits;
@@ -98,7 +97,7 @@ bool SweepPlanner::drive_to(Cell goal) {
     for (const int left : {0, 1, 3, 2}) {
       const int side = (heading_ + left) & 3;
       const Cell next = c + field_->step(side);
-      if (!(field_->sides()[idx(c)] >> side & 1) || seen_in_search_[idx(next)] == search_) continue;
+      if ((field_->sides()[idx(c)] >> side & 1) == 0 || seen_in_search_[idx(next)] == search_) continue;
       seen_in_search_[idx(next)] = search_;
       came_by_[idx(next)] = static_cast<std::int8_t>(side);
       queue_.push_back(next);

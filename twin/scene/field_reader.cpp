@@ -22,6 +22,9 @@ std::string in_words(const Range& range) {
 }
 
 std::string in_words(Count count, const std::string& of_what) {
+  if (count.min == 0) {
+    return "a list of " + of_what;
+  }
   return count.min == count.max ? fmt::format("a list of {} {}", count.min, of_what)
                                 : fmt::format("a list of {} to {} {}", count.min, count.max, of_what);
 }
@@ -106,7 +109,7 @@ const YamlNode* FieldReader::take(const Field& field) {
   }
   if (entry == nullptr) {
     if (field.required) {
-      add(frame.place, path, "is missing", fmt::format("expected {}", field.help));
+      add(frame.place, path, "is missing", fmt::format("expected a value ({})", field.help));
     }
     return nullptr;
   }
@@ -302,8 +305,6 @@ void FieldReader::cells(const Field& field, Cells& value) {
   if (node == nullptr || !list_in(*node, path, {}, "tiles [column, row]")) {
     return;
   }
-  // Chosen: the physics' grid of tiles is never larger than this either way.
-  constexpr std::int64_t kFarthest = 100000;
   value.clear();
   for (std::size_t i = 0; i < node->items.size(); ++i) {
     const YamlNode& item = node->items[i];
@@ -312,8 +313,8 @@ void FieldReader::cells(const Field& field, Cells& value) {
     if (!list_in(item, item_path, {2, 2}, "numbers [column, row]")) {
       continue;
     }
-    const auto column = integer_in(item.items[0], item_path + "[0]", -kFarthest, kFarthest);
-    const auto row = integer_in(item.items[1], item_path + "[1]", -kFarthest, kFarthest);
+    const auto column = integer_in(item.items[0], item_path + "[0]", -kFarthestTile, kFarthestTile);
+    const auto row = integer_in(item.items[1], item_path + "[1]", -kFarthestTile, kFarthestTile);
     if (column && row) {
       value.emplace_back(static_cast<int>(*column), static_cast<int>(*row));
     }

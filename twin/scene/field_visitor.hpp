@@ -38,6 +38,11 @@ struct Count {
   std::size_t max{100000};  ///< chosen: far above any scene, low enough to keep a slip from eating the memory
 };
 
+/// Columns and rows of tiles lie between minus this and this. Chosen: 50 km of carpet.
+inline constexpr std::int64_t kFarthestTile = 100000;
+/// What a key of free choice may look like, as a regular expression.
+inline constexpr const char* kNamePattern = "^[a-z0-9_.]+$";
+
 using Cells = std::vector<std::pair<int, int>>;
 
 class FieldVisitor {

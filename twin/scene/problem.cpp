@@ -5,27 +5,38 @@
 
 #include <algorithm>
 #include <cassert>
+#include <limits>
 #include <tuple>
 #include <utility>
 
 namespace sensotwin::twin {
 namespace {
 
-/// Problems of options come after those of files; two files stay in the order in which they were opened.
+/// Problems of options come after those of files; files stay in the order in which they were opened.
 std::vector<Problem> sorted(std::vector<Problem> problems) {
-  std::stable_sort(problems.begin(), problems.end(), [](const Problem& a, const Problem& b) {
-    const bool option_a = a.place.line == 0;
-    const bool option_b = b.place.line == 0;
-    if (option_a != option_b) {
-      return option_b;
+  std::vector<std::string> files;
+  const auto rank = [&files](const Problem& problem) {
+    const auto known = std::find(files.begin(), files.end(), problem.place.source);
+    if (problem.place.line != 0 && known == files.end()) {
+      files.push_back(problem.place.source);
+      return files.size() - 1;
     }
-    if (a.place.source != b.place.source) {
-      return false;
+    return problem.place.line != 0 ? static_cast<std::size_t>(known - files.begin())
+                                   : std::numeric_limits<std::size_t>::max();
+  };
+  using Keyed = std::pair<std::tuple<std::size_t, int, int>, Problem>;
+  std::vector<Keyed> keyed;
+  for (Problem& problem : problems) {
+    keyed.emplace_back(std::tuple{rank(problem), problem.place.line, problem.place.column},
+                       std::move(problem));
+  }
+  std::stable_sort(keyed.begin(), keyed.end(),
+                   [](const Keyed& a, const Keyed& b) { return a.first < b.first; });
+  problems.clear();
+  for (Keyed& next : keyed) {
+    if (problems.size() < SceneError::kProblemsMax) {
+      problems.push_back(std::move(next.second));
     }
-    return std::tie(a.place.line, a.place.column) < std::tie(b.place.line, b.place.column);
-  });
-  if (problems.size() > SceneError::kProblemsMax) {
-    problems.resize(SceneError::kProblemsMax);
   }
   return problems;
 }

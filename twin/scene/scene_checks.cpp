@@ -227,7 +227,7 @@ void SceneChecks::markers(const FloorPlan& floor) {
 
 void SceneChecks::start(const FloorPlan& floor) {
   const std::string path = "robot.start.at_m";
-  if (!reader_.has(path) || !sound("robot.start") || !sound("robot.base")) {
+  if (!reader_.has(path) || !sound(path) || !sound("robot.base")) {
     return;
   }
   const Vec2 at = scene_.robot.X_WR_start.p_m;

@@ -67,7 +67,13 @@ std::optional<FloorPlan> build_walls(Scene& scene, const std::filesystem::path& 
     if (error.exit_code() == kExitMissing) {
       exit_code = kExitMissing;
     }
-    problems.insert(problems.end(), error.problems().begin(), error.problems().end());
+    for (Problem problem : error.problems()) {
+      if (problem.place.line == 0) {  // of the file as a whole: the mistake is here, where it is named
+        problem = {reader.place("world.map.file"), "world.map.file",
+                   problem.place.source + ": " + problem.what, problem.hint};
+      }
+      problems.push_back(std::move(problem));
+    }
     return std::nullopt;
   }
 }

@@ -104,11 +104,18 @@ class TreeBuilder : public YAML::EventHandler {
       if (node.kind == YamlKind::kList || node.kind == YamlKind::kSection) {
         problems_.push_back({node.place, "", "a key is a list or a section", "a key is one word"});
       }
+      if (node.text == "<<" && !node.quoted) {
+        problems_.push_back({node.place, "", "a merge key (<<) is not supported",
+                             "write the keys out: a scene holds no references"});
+      }
       parent.has_key = true;
       parent.key = node.text;
       parent.key_place = node.place;
     } else {
       parent.has_key = false;
+      if (node.kind == YamlKind::kNothing) {
+        node.place = parent.key_place;  // yaml-cpp gives the place of whatever comes next
+      }
       parent.node.entries.push_back({parent.key, parent.key_place, std::move(node)});
     }
   }

@@ -37,6 +37,11 @@ Task<> MappingMission::dwell(Instant begun, bool new_tag) {
   }
 }
 
+void MappingMission::give_up(Tile tile) {
+  map_.mark_unreachable(tile);
+  ++log_.counts.tiles_given_up;
+}
+
 Task<> MappingMission::run() {
   const Instant begun = io_.sensed.stamp;
   if (!co_await mover_.find_origin()) {
@@ -63,12 +68,12 @@ Task<> MappingMission::run() {
     }
     if (end == MoveEnd::kBlocked) {
       if (move->detour) {
-        map_.mark_unreachable(move->target);
+        give_up(move->target);
       } else {
         map_.mark_passage(from, side, Passage::kBlocked);
       }
     } else if (end == MoveEnd::kNoTag) {
-      map_.mark_unreachable(move->target);
+      give_up(move->target);
       map_.mark_passage(from, side, Passage::kBlocked);
     } else if (end == MoveEnd::kLost) {
       succeeded_ = false;

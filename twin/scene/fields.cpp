@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "twin/scene/fields.hpp"
 
+#include <algorithm>
 #include <array>
 
 namespace sensotwin::twin {
@@ -17,8 +18,13 @@ constexpr Count kPolygon{3, 8};
 
 constexpr std::array<std::string_view, 2> kRoombaWords{"create2", "roomba400"};
 constexpr std::array<std::string_view, 4> kFirmwareWords{"current", "before_3.4.1", "before_3.3.0", "wifi"};
-constexpr std::array<std::string_view, 6> kExplorerWords{"bfm",  "bfm_literal", "dfm",
-                                                         "idfm", "spiral",      "sweep"};
+/// As robot/mapping spells them, in the order of the enumeration.
+const auto kExplorerWords = [] {
+  std::array<std::string_view, robot::kExplorerKinds.size()> words;
+  std::transform(robot::kExplorerKinds.begin(), robot::kExplorerKinds.end(), words.begin(),
+                 [](robot::ExplorerKind kind) { return robot::name_of(kind); });
+  return words;
+}();
 constexpr std::array<std::string_view, 9> kLandmarkWords{
     "door_opening_side",     "door_fixed_side", "front_door_opening_side",
     "front_door_fixed_side", "window_left",     "window_right",

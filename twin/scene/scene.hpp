@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "robot/base/geometry.hpp"
+#include "robot/mapping/explorer_kind.hpp"
 #include "world/description.hpp"
 
 /// A scene: everything that one run is made of. Field order here is the order in the YAML and in the schema;
@@ -50,9 +51,6 @@ struct Layout {
   CarpetPlan carpet;
 };
 
-/// Order in which the carpet's tiles are visited (robot/mapping).
-enum class ExplorerKind : std::uint8_t { kBfm, kBfmLiteral, kDfm, kIdfm, kSpiral, kSweep };
-
 /// How fast the robot works.
 struct Pace {
   double tile_s{0.0};     ///< least time from tile to tile, s; 0: as fast as it goes
@@ -66,7 +64,7 @@ inline constexpr Pace kPaperPace{.tile_s = 3.4, .tag_s = 4.4};
 
 /// SensoBot: map the carpet.
 struct MapMission {
-  ExplorerKind explorer{ExplorerKind::kSweep};
+  robot::ExplorerKind explorer{robot::kDefaultExplorer};
   Pace pace;
 };
 

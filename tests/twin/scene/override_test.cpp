@@ -13,7 +13,7 @@ Scene read_with(const std::vector<std::string>& set) {
 }
 
 TEST(Override, ReplacesAValue) {
-  EXPECT_EQ(read_with({"mission.map.explorer=dfm"}).mission.map->explorer, ExplorerKind::kDfm);
+  EXPECT_EQ(read_with({"mission.map.explorer=dfm"}).mission.map->explorer, robot::ExplorerKind::kDfm);
 }
 
 TEST(Override, ReachesIntoAList) {

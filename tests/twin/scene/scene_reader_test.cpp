@@ -27,7 +27,7 @@ TEST(SceneReader, FillsWhatTheFileSaysAndLeavesTheRestAtItsDefault) {
   EXPECT_EQ(scene.robot.base.radius_m, world::RoombaDescription{}.radius_m);
   EXPECT_EQ(scene.robot.forward_reader.read_radius_m, world::RobotDescription{}.forward_reader.read_radius_m);
   ASSERT_TRUE(scene.mission.map);
-  EXPECT_EQ(scene.mission.map->explorer, ExplorerKind::kIdfm);
+  EXPECT_EQ(scene.mission.map->explorer, robot::ExplorerKind::kIdfm);
   ASSERT_EQ(scene.expect.size(), 1u);
   EXPECT_EQ(scene.expect[0].name, "tiles_mapped");
   EXPECT_EQ(scene.expect[0].min, 1.0);
@@ -50,7 +50,7 @@ TEST(SceneReader, MapsTheCarpetByOurOwnExplorerWhenTheSceneNamesNoMission) {
   const Scene scene =
       read_scene_text(edited(kSoundScene, "mission:\n  map: { explorer: idfm }\n", ""), "s.yaml");
   ASSERT_TRUE(scene.mission.map);
-  EXPECT_EQ(scene.mission.map->explorer, ExplorerKind::kSweep);
+  EXPECT_EQ(scene.mission.map->explorer, robot::ExplorerKind::kSweep);
 }
 
 TEST(SceneReader, KnowsThePaceOfThePaperByName) {

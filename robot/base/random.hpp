@@ -42,7 +42,8 @@ class RandomStream {
   [[nodiscard]] double uniform(double low, double high) { return low + (high - low) * uniform(); }
   /// Uniform in 0 .. n-1 by Lemire's multiplication; the bias is below n / 2^64. \pre n > 0
   [[nodiscard]] std::uint32_t below(std::uint32_t n) {
-    return static_cast<std::uint32_t>((static_cast<unsigned __int128>(next_u64()) * n) >> 64);
+    __extension__ using Wide = unsigned __int128;
+    return static_cast<std::uint32_t>((static_cast<Wide>(next_u64()) * n) >> 64);
   }
   [[nodiscard]] bool chance(double probability) { return uniform() < probability; }
   /// Standard normal (Box and Muller, Ann. Math. Stat. 29(2), 1958).

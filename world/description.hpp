@@ -77,10 +77,13 @@ struct Floor {
   double rolling_resistance{0.04};  ///< drag of castor and pile / weight, dimensionless. Chosen: low pile carpet
   /// Creep: slip ratio of a driven wheel per unit of (tractive force / friction limit), dimensionless.
   double creep{0.02};
-  /// Unevenness: standard deviation of each wheel's fractional slip about its mean, and the distance over which
-  /// it stays the same.
+  /// Unevenness: mean, and equally standard deviation, of the part of each wheel's way that the pile takes
+  /// (exponentially distributed, so never negative), and the distance over which it stays the same.
   double roughness{0.02};
   double roughness_length_m{0.05};
+  /// Arm of the moment with which a tyre's contact patch resists turning on itself. Chosen: 2/3 of the radius of a
+  /// patch 2 cm across, evenly pressed.
+  double scrub_arm_m{0.007};
   /// Nap: sideways drift per metre driven across the lie of the pile, and the direction the pile lies in.
   double nap_drift{0.01};
   double nap_yaw_rad{0.0};
@@ -140,6 +143,7 @@ struct RoombaDescription {
   double counts_per_turn{508.8};
   double speed_max_mps{0.5};
   double wheel_acceleration_mps2{1.5};   ///< chosen: 0 to 0.3 m/s in 0.2 s, as Create 2 users report
+  double drive_wheel_load{0.9};          ///< part of the weight on the driven wheels, the rest on the castor. Chosen
   /// Manufacturing: each wheel's diameter and the effective wheel base differ from nominal by these fractions
   /// (1 sigma, drawn once per run). "1 % after calibration" (algorithms study, C.2).
   double wheel_diameter_sigma{0.005};

@@ -49,8 +49,8 @@ class SchemaBuilder : public FieldVisitor {
     put(field, {{"type", "integer"}, {"minimum", min}, {"maximum", max}}, value);
   }
   void seed(const Field& field, std::uint64_t& value) override {
-    put(field, {{"type", "integer"}, {"minimum", 0}, {"maximum", std::numeric_limits<std::uint64_t>::max()}},
-        value);
+    // As a double, 2^64: validators that hold whole numbers in 64 bits with a sign would read 2^64 - 1 as -1.
+    put(field, {{"type", "integer"}, {"minimum", 0}, {"maximum", 0x1p64}}, value);
   }
   void flag(const Field& field, bool& value) override { put(field, {{"type", "boolean"}}, value); }
   void text(const Field& field, std::string&) override {

@@ -10,6 +10,7 @@
 #include <valijson/adapters/nlohmann_json_adapter.hpp>
 #include <valijson/schema.hpp>
 #include <valijson/schema_parser.hpp>
+#include <valijson/validation_results.hpp>
 #include <valijson/validator.hpp>
 
 #include "scene_texts.hpp"
@@ -56,12 +57,24 @@ class Schema {
     valijson::SchemaParser parser;
     parser.populateSchema(adapter, schema_);
   }
-  bool accepts(const std::string& yaml) {
+  /// \returns what the schema has against the scene; empty when nothing
+  std::string against(const std::string& yaml) {
     std::vector<Problem> problems;
     const json scene = json_of(parse_yaml(yaml, "s.yaml", problems));
     const valijson::adapters::NlohmannJsonAdapter adapter(scene);
     valijson::Validator validator;
-    return validator.validate(schema_, adapter, nullptr);
+    valijson::ValidationResults results;
+    if (validator.validate(schema_, adapter, &results)) {
+      return "";
+    }
+    std::string text;
+    for (valijson::ValidationResults::Error error; results.popError(error);) {
+      for (const std::string& step : error.context) {
+        text += step;
+      }
+      text += ": " + error.description + "\n";
+    }
+    return text;
   }
 
  private:
@@ -85,7 +98,7 @@ TEST(SceneSchema, AcceptsThePublishedScenes) {
   for (const auto& entry :
        std::filesystem::directory_iterator(std::filesystem::path(SENSOTWIN_SOURCE_DIR) / "scenes")) {
     if (entry.path().extension() == ".yaml") {
-      EXPECT_TRUE(schema.accepts(read_text_file(entry.path(), "scene"))) << entry.path();
+      EXPECT_EQ(schema.against(read_text_file(entry.path(), "scene")), "") << entry.path();
     }
   }
 }
@@ -152,10 +165,10 @@ const std::vector<Edit> kEdits{
 
 TEST(SceneSchema, AgreesWithTheReaderOnSoundAndBrokenScenes) {
   Schema schema;
-  ASSERT_TRUE(schema.accepts(kSoundScene));
+  ASSERT_EQ(schema.against(kSoundScene), "");
   for (const Edit& edit : kEdits) {
     const std::string text = edited(kSoundScene, edit.find, edit.replace);
-    EXPECT_EQ(schema.accepts(text), edit.sound) << edit.replace;
+    EXPECT_EQ(schema.against(text).empty(), edit.sound) << edit.replace << "\n" << schema.against(text);
     EXPECT_EQ(messages(text) == "no error", edit.sound) << edit.replace << "\n" << messages(text);
   }
 }

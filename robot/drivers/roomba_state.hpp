@@ -13,8 +13,8 @@
 namespace sensotwin::robot {
 
 struct EncoderCounts {
-  Ticks left;
-  Ticks right;
+  Ticks left{};
+  Ticks right{};
   bool operator==(const EncoderCounts&) const = default;
 };
 
@@ -49,9 +49,9 @@ struct ExtendedState {
 /// The robot at one sensor update. The optional parts are missing on a Roomba 400 (SCI), but `travel`, which
 /// only that one has.
 struct RoombaState {
-  Instant stamp;                  ///< when the driver took the frame from the port
+  Instant stamp{};                ///< when the driver took the frame from the port
   std::uint64_t frame_number{0};  ///< good frames so far, this one included
-  std::optional<oi::Mode> mode;
+  std::optional<oi::Mode> mode{};
   bool bump_left{false};
   bool bump_right{false};
   bool wheel_drop_left{false};
@@ -73,10 +73,10 @@ struct RoombaState {
   std::int8_t battery_c{0};
   std::uint16_t charge_mah{0};
   std::uint16_t capacity_mah{0};
-  std::optional<EncoderCounts> encoders;
-  std::optional<LightBumperReading> light_bumper;
-  std::optional<ExtendedState> extended;
-  std::optional<Travel> travel;
+  std::optional<EncoderCounts> encoders{};
+  std::optional<LightBumperReading> light_bumper{};
+  std::optional<ExtendedState> extended{};
+  std::optional<Travel> travel{};
 };
 
 /// Packets that the driver asks a robot of the Open Interface to stream: all that RoombaState holds, in the

@@ -34,7 +34,7 @@ EmulatedRoomba::EmulatedRoomba(const EmulatedRoombaConfig& config)
       right_(config.body.counts_per_turn, config.body.wheel_acceleration_mps2, config.encoder_start_right) {}
 
 void EmulatedRoomba::receive(robot::ByteView bytes) {
-  if (!powered_ || asleep_) {
+  if (!powered_ || asleep_ || bytes.empty()) {
     return;
   }
   quiet_ticks_ = 0;
@@ -137,9 +137,9 @@ void EmulatedRoomba::fall_asleep() {
 
 void EmulatedRoomba::request_wheels(double left_mps, double right_mps) {
   const auto reachable = [this](double speed_mps) {
-    const double clamped = std::clamp(speed_mps, -config_.body.speed_max_mps, config_.body.speed_max_mps);
     const double step = config_.speed_step_mps;
-    return step > 0.0 ? std::round(clamped / step) * step : clamped;
+    const double stepped = step > 0.0 ? std::round(speed_mps / step) * step : speed_mps;
+    return std::clamp(stepped, -config_.body.speed_max_mps, config_.body.speed_max_mps);
   };
   outputs_.wheel_left_mps = reachable(left_mps);
   outputs_.wheel_right_mps = reachable(right_mps);

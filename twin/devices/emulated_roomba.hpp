@@ -29,10 +29,10 @@ struct FirmwareVersion {
 /// the firmware's own follow from its version.
 struct EmulatedRoombaConfig {
   /// Kind, wheels and wheel base.
-  world::RoombaDescription body;
+  world::RoombaDescription body{};
   /// A version seen on Create 2 of 2018. Before 3.3.0 lengths in mm (packets 19 and 40) are wrong: minus a
   /// tenth (what Player undoes by -10); up to 3.4.0 angles are 0.324056 times the degrees.
-  FirmwareVersion firmware;
+  FirmwareVersion firmware{};
   /// Packet 35 is one above the mode (some 600s with Wi-Fi).
   bool mode_one_too_high{false};
   /// Fractions of a degree are thrown away at each read instead of kept (Create 1).
@@ -42,8 +42,8 @@ struct EmulatedRoombaConfig {
   /// Wheels run at multiples of this: "steps of about 28.5 mm/s" (pages 13 and 14). 0: any speed.
   double speed_step_mps{0.0285};
   /// Where the encoders begin at power-on.
-  robot::Ticks encoder_start_left;
-  robot::Ticks encoder_start_right;
+  robot::Ticks encoder_start_left{};
+  robot::Ticks encoder_start_right{};
   /// Packet 14 reports motors above this. Chosen: twice what a wheel draws on carpet.
   int overcurrent_ma{1500};
   /// Light bumper bits are set from this signal on, of 4095. Chosen; the manual names no threshold.
@@ -54,9 +54,9 @@ struct EmulatedRoombaConfig {
 
 /// Lamps and display of the top panel.
 struct RoombaPanel {
-  robot::oi::Leds leds;
-  robot::oi::SchedulingLeds scheduling;
-  robot::oi::DigitLedsAscii digits;
+  robot::oi::Leds leds{};
+  robot::oi::SchedulingLeds scheduling{};
+  robot::oi::DigitLedsAscii digits{};
 };
 
 /// The mainboard of a Roomba: what answers at the serial port, and drives motors from what it was told and

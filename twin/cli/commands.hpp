@@ -67,6 +67,14 @@ struct EpsilonOptions {
 };
 [[nodiscard]] Command make_epsilon_command(Deed<EpsilonOptions> deed);
 
+struct ChartOptions {
+  std::vector<std::filesystem::path> runs{};   ///< folders of runs
+  std::optional<std::filesystem::path> out{};  ///< none: tags_over_time.png in the working directory
+  bool force{false};
+  bool paper_marks{false};  ///< SensoBot, section V: 69, 42 and 26 minutes
+};
+[[nodiscard]] Command make_chart_command(Deed<ChartOptions> deed);
+
 /// What `twin list` can list.
 struct ListEntry {
   std::string name;

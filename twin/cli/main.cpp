@@ -8,6 +8,7 @@
 
 #include "twin/cli/application.hpp"
 #include "twin/cli/commands.hpp"
+#include "twin/cli/deeds.hpp"
 #include "twin/output/signals.hpp"
 
 namespace {
@@ -31,9 +32,18 @@ std::vector<std::filesystem::path> scene_folders() {
 }
 
 std::vector<Command> commands() {
+  std::vector<Probe> probes = machine_probes();
+  const std::vector<Probe> renderers = renderer_probes();
+  probes.insert(probes.end(), renderers.begin(), renderers.end());
   return {
-      make_list_command({scenes_topic(scene_folders()), figures_topic(), exit_codes_topic()}),
-      make_doctor_command(machine_probes()),
+      make_run_command(run_deed),
+      make_chart_command(chart_deed),
+      make_render_command(render_deed),
+      make_show_command(show_deed),
+      make_import_command(import_deed),
+      make_epsilon_command(epsilon_deed),
+      make_list_command({scenes_topic(scene_folders()), explorers_topic(), figures_topic(), exit_codes_topic()}),
+      make_doctor_command(probes),
   };
 }
 

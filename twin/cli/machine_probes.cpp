@@ -19,13 +19,16 @@ namespace {
 constexpr const char* kFontFamily = "DejaVu Sans";
 
 ProbeResult look_for_font() {
+  // A configuration of our own, since the library never frees its global one.
+  const std::unique_ptr<FcConfig, decltype(&FcConfigDestroy)> config(FcInitLoadConfigAndFonts(),
+                                                                     FcConfigDestroy);
   const std::unique_ptr<FcPattern, decltype(&FcPatternDestroy)> pattern(FcPatternCreate(), FcPatternDestroy);
   FcPatternAddString(pattern.get(), FC_FAMILY, reinterpret_cast<const FcChar8*>(kFontFamily));
-  FcConfigSubstitute(nullptr, pattern.get(), FcMatchPattern);
+  FcConfigSubstitute(config.get(), pattern.get(), FcMatchPattern);
   FcDefaultSubstitute(pattern.get());
   FcResult result{};
   const std::unique_ptr<FcPattern, decltype(&FcPatternDestroy)> match(
-      FcFontMatch(nullptr, pattern.get(), &result), FcPatternDestroy);
+      FcFontMatch(config.get(), pattern.get(), &result), FcPatternDestroy);
   FcChar8* family = nullptr;
   if (match == nullptr || FcPatternGetString(match.get(), FC_FAMILY, 0, &family) != FcResultMatch) {
     return {false, "no font at all; install fonts-dejavu-core"};

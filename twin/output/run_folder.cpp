@@ -33,8 +33,10 @@ void remove_leftovers(const fs::path& folder) {
   std::vector<fs::path> leftovers{folder / "summary.json", folder / "timing.json"};
   std::error_code error;
   for (const auto& entry : fs::directory_iterator(folder, error)) {
-    const std::string name = entry.path().filename().string();
-    if (name.starts_with(".") && name.ends_with(".part")) {
+    const fs::path name = entry.path().filename();
+    // ".trace.csv.part", or ".plan.part.png" where another library wrote.
+    if (name.string().starts_with(".") &&
+        (name.extension() == ".part" || name.stem().extension() == ".part")) {
       leftovers.push_back(entry.path());
     }
   }

@@ -68,9 +68,11 @@ TEST(RunFolder, WithForceRemovesTheOldVerdictAtOnceAndKeepsForeignFiles) {
   old.write("summary.json", "{}");
   old.write("diary.txt", "mine");
   old.write(".trace.csv.part", "left by a killed run");
+  old.write(".plan.part.png", "left by a killed run");
   const RunFolder folder(temporary.path(), Existing::kReplace);
   EXPECT_FALSE(fs::exists(temporary / "summary.json"));
   EXPECT_FALSE(fs::exists(temporary / ".trace.csv.part"));
+  EXPECT_FALSE(fs::exists(temporary / ".plan.part.png"));
   EXPECT_EQ(content_of(temporary / "diary.txt"), "mine");
 }
 

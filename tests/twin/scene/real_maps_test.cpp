@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: MIT
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <filesystem>
+#include <iostream>
 #include <limits>
 #include <ostream>
 
@@ -114,7 +116,7 @@ TEST_P(RealMaps, BecomeCarpetedScenesWithAClearStart) {
             << "\n";
 }
 
-INSTANTIATE_TEST_SUITE_P(Of2026, RealMaps, testing::ValuesIn(kRealMaps),
+INSTANTIATE_TEST_SUITE_P(OnTheShelf, RealMaps, testing::ValuesIn(kRealMaps),
                          [](const auto& map) { return std::string(map.param.id); });
 
 TEST(StataBasement, IsTurnedByTheYawOfItsOrigin) {

@@ -110,7 +110,11 @@ ExitCode run_guarded(const Command& command, Context& context, const Environment
     complain(environment, context.color, error.what());
     return error.exit_code();
   } catch (const CommandError& error) {
-    complain(environment, context.color, error.what());
+    if (error.complete()) {
+      environment.err << error.what() << '\n';
+    } else {
+      complain(environment, context.color, error.what());
+    }
     return error.exit_code();
   } catch (const std::exception& error) {
     complain(environment, context.color, std::string("internal: ") + error.what());

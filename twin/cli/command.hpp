@@ -43,12 +43,15 @@ struct Context {
 /// own is any other exception and ends in kInternal.
 class CommandError : public std::runtime_error {
  public:
-  CommandError(ExitCode exit_code, const std::string& what)
-      : std::runtime_error(what), exit_code_(exit_code) {}
+  /// \param complete  `what` is lines of the form "file:line:col: error: ...": printed as they are
+  CommandError(ExitCode exit_code, const std::string& what, bool complete = false)
+      : std::runtime_error(what), exit_code_(exit_code), complete_(complete) {}
   [[nodiscard]] ExitCode exit_code() const { return exit_code_; }
+  [[nodiscard]] bool complete() const { return complete_; }
 
  private:
   ExitCode exit_code_;
+  bool complete_;
 };
 
 /// One word behind `twin`.

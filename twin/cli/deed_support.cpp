@@ -13,7 +13,7 @@ Scene scene_of(const SceneChoice& choice) {
   try {
     return read_scene(choice.scene, {.set = choice.set, .seed = choice.seed});
   } catch (const SceneError& error) {
-    throw CommandError(static_cast<ExitCode>(error.exit_code()), error.what());
+    throw CommandError(static_cast<ExitCode>(error.exit_code()), error.what(), true);
   }
 }
 

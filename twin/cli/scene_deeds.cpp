@@ -85,7 +85,7 @@ ExitCode import_deed(const ImportOptions& options, Context& context) {
                             figures.segments, scene.world.carpet.tiles.size()));
     context.out << path.string() << '\n';
   } catch (const SceneError& error) {
-    throw CommandError(static_cast<ExitCode>(error.exit_code()), error.what());
+    throw CommandError(static_cast<ExitCode>(error.exit_code()), error.what(), true);
   }
   return ExitCode::kDone;
 }

@@ -40,7 +40,7 @@ void pose_fields(FieldVisitor& v, Pose2& pose, bool heading_required = false) {
 void room_fields(FieldVisitor& v, RoomPlan& room) {
   v.points({"walls_m", "corners of the outer wall, closed by itself, m", true}, room.walls_m, kWhere,
            {3, 10000});
-  v.list({"partitions", "inner walls"}, room.partitions, [&](world::Wall& wall) {
+  v.list({"partitions", "inner walls"}, room.partitions, [&](Partition& wall) {
     v.points({"points_m", "the wall runs straight from each to the next, m", true}, wall.points_m, kWhere,
              {2, 10000});
     v.flag({"closed", "and from the last back to the first"}, wall.closed);

@@ -176,8 +176,8 @@ OccupancyMap read_map(const std::filesystem::path& map_yaml) {
   MapYaml yaml(root, problems);
   OccupancyMap map;
   const YamlNode* image = yaml.find("image", "the picture's file, relative to this one");
-  // Chosen: from a millimetre, finer than any reader, to cells larger than the robot.
-  map.resolution_m = yaml.number("resolution", {0.001, 1.0, "metres a cell, from 0.001 to 1"});
+  // Chosen: from a centimetre, since the physics merges corners 5 mm apart, to cells larger than the robot.
+  map.resolution_m = yaml.number("resolution", {0.01, 1.0, "metres a cell, from 0.01 to 1"});
   map.X_WO = yaml.origin();
   const Thresholds thresholds{yaml.number("occupied_thresh", {0.0, 1.0, "a number from 0 to 1"}),
                               yaml.number("free_thresh", {0.0, 1.0, "a number from 0 to 1"}), yaml.negate()};

@@ -21,7 +21,7 @@ struct GreyPicture {
   std::vector<std::uint16_t> pixels;
 };
 
-/// Chosen: a map of 800 m at 0.05 m a cell; twice that in memory is 512 MiB.
+/// Chosen: a map of 800 m at 0.05 m a cell. A picture of that size takes 1.5 GiB while it is read.
 inline constexpr int kPictureSideMax = 16384;
 
 /// Decodes a PGM (P2, P5; comments; any maxval) or PNG (1 to 16 bits; grey, palette, RGB; alpha; interlaced).

@@ -17,10 +17,16 @@ namespace sensotwin::twin {
 
 using robot::Vec2;
 
+/// An inner wall: straight from each point to the next, and back to the first when closed.
+struct Partition {
+  std::vector<Vec2> points_m;
+  bool closed{false};
+};
+
 /// A room drawn by its corners.
 struct RoomPlan {
-  std::vector<Vec2> walls_m;            ///< outer wall, closed, either way round
-  std::vector<world::Wall> partitions;  ///< inner walls
+  std::vector<Vec2> walls_m;          ///< outer wall, closed, either way round
+  std::vector<Partition> partitions;  ///< inner walls
 };
 
 /// A ROS map_server map: the path of its YAML, relative to the scene file.

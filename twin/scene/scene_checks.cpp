@@ -52,8 +52,31 @@ bool SceneChecks::sound(const std::string& path) const {
   });
 }
 
+bool SceneChecks::apart(const std::string& path, const std::vector<Vec2>& points, bool closed) {
+  // Chosen: twice what Box2D merges into one corner (b2_linearSlop, 0.005 m).
+  constexpr double kApart_m = 0.01;
+  for (const Segment& side : sides(points, closed)) {
+    const double length_m = (side.b_m - side.a_m).norm();
+    if (length_m < kApart_m) {
+      add(path, fmt::format("two corners at {} are {:.3f} m apart", in_words(side.a_m), length_m),
+          "expected at least 0.01 m");
+      return false;
+    }
+  }
+  return true;
+}
+
 bool SceneChecks::room() {
   if (!sound("world.room") || !scene_.layout.room) {
+    return false;
+  }
+  bool all_apart = apart("world.room.walls_m", scene_.layout.room->walls_m, true);
+  for (std::size_t i = 0; i < scene_.layout.room->partitions.size(); ++i) {
+    const Partition& partition = scene_.layout.room->partitions[i];
+    all_apart &=
+        apart(fmt::format("world.room.partitions[{}].points_m", i), partition.points_m, partition.closed);
+  }
+  if (!all_apart) {
     return false;
   }
   const std::vector<Vec2>& walls = scene_.layout.room->walls_m;
@@ -109,7 +132,7 @@ void SceneChecks::names() {
 
 void SceneChecks::shapes() {
   const auto check = [this](const std::string& path, const std::vector<Vec2>& corners) {
-    if (sound(path) && !convex(corners)) {
+    if (sound(path) && apart(path, corners, true) && !convex(corners)) {
       add(path, "the polygon is not convex",
           "expected corners that all turn the same way; split it into several");
     }

@@ -30,6 +30,8 @@ class SceneChecks {
   void add(const std::string& path, std::string what, std::string hint);
   /// True when nothing at or below `path` is wrong already.
   [[nodiscard]] bool sound(const std::string& path) const;
+  /// \returns false, and says so, when two neighbours of the list are too close for the physics to tell apart
+  bool apart(const std::string& path, const std::vector<Vec2>& points, bool closed);
   void names();
   void shapes();
   void figures();

@@ -47,8 +47,10 @@ std::optional<FloorPlan> build_walls(Scene& scene, const std::filesystem::path& 
       return std::nullopt;
     }
     scene.world.walls.push_back({scene.layout.room->walls_m, true});
-    const std::vector<world::Wall>& partitions = scene.layout.room->partitions;
-    scene.world.walls.insert(scene.world.walls.end(), partitions.begin(), partitions.end());
+    for (const Partition& partition : scene.layout.room->partitions) {
+      // Two points close no loop.
+      scene.world.walls.push_back({partition.points_m, partition.closed && partition.points_m.size() > 2});
+    }
     return FloorPlan(scene.layout.room->walls_m);
   }
   if (!scene.layout.map || scene.layout.map->file.empty()) {

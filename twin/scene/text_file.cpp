@@ -19,7 +19,7 @@ std::string read_text_file(const std::filesystem::path& file, const std::string&
   if (std::filesystem::is_directory(status)) {
     throw SceneError({{place, "", "is a folder", "expected a " + what + " file"}}, kExitInvalid);
   }
-  // Chosen: the largest picture that is read, 16384 x 16384 cells of 2 bytes, is half of this.
+  // Chosen: the largest picture that is read, 16384 x 16384 pixels of 2 bytes, is half of this.
   constexpr std::uintmax_t kBytesMax = 1u << 30;
   const std::uintmax_t size = std::filesystem::file_size(file, error);
   if (!error && size > kBytesMax) {

@@ -122,6 +122,10 @@ const std::vector<Mistake> kMistakes{
     {"AWallThatCrossesItself", "[[0, 0], [4, 0], [4, 3], [0, 3]]", "[[0, 0], [4, 3], [4, 0], [0, 3]]",
      "s.yaml:5:20: error: world.room.walls_m: the outer wall crosses or touches itself; expected the corners "
      "in order around the room, each once"},
+    {"AWallWithACornerTwice", "[[0, 0], [4, 0], [4, 3], [0, 3]]",
+     "[[0, 0], [4, 0], [4, 0.004], [4, 3], [0, 3]]",
+     "s.yaml:5:20: error: world.room.walls_m: two corners at [4, 0] are 0.004 m apart; expected at least "
+     "0.01 m"},
     {"ARoomWithoutArea", "[[0, 0], [4, 0], [4, 3], [0, 3]]", "[[0, 0], [0.2, 0], [0.2, 0.2], [0, 0.2]]",
      "s.yaml:5:20: error: world.room.walls_m: the room has 0.040 m2; expected at least 0.1 m2"},
     {"AStartOutsideTheRoom", "at_m: [1, 1]", "at_m: [5, 1]",

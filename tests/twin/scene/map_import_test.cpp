@@ -102,11 +102,11 @@ TEST(MapImport, RefusesAnOriginWithoutYaw) {
 
 TEST(MapImport, RefusesAnAbsurdResolution) {
   EXPECT_EQ(invalid("0.5", "0"),
-            "map.yaml:2:13: error: resolution: is 0; expected metres a cell, from 0.001 to 1");
+            "map.yaml:2:13: error: resolution: is 0; expected metres a cell, from 0.01 to 1");
   EXPECT_EQ(invalid("0.5", "-0.05"),
-            "map.yaml:2:13: error: resolution: is -0.05; expected metres a cell, from 0.001 to 1");
+            "map.yaml:2:13: error: resolution: is -0.05; expected metres a cell, from 0.01 to 1");
   EXPECT_EQ(invalid("0.5", "fine"),
-            "map.yaml:2:13: error: resolution: is 'fine'; expected metres a cell, from 0.001 to 1");
+            "map.yaml:2:13: error: resolution: is 'fine'; expected metres a cell, from 0.01 to 1");
 }
 
 TEST(MapImport, RefusesThresholdsThatOverlap) {
@@ -123,7 +123,7 @@ TEST(MapImport, RefusesTheRawMode) {
 TEST(MapImport, NamesEveryKeyThatIsMissing) {
   EXPECT_EQ(invalid("image: map.pgm\nresolution: 0.5\n", ""),
             "map.yaml:1:1: error: image: is missing; expected the picture's file, relative to this one\n"
-            "map.yaml:1:1: error: resolution: is missing; expected metres a cell, from 0.001 to 1");
+            "map.yaml:1:1: error: resolution: is missing; expected metres a cell, from 0.01 to 1");
 }
 
 TEST(MapImport, RefusesATruncatedPgm) {

@@ -125,10 +125,8 @@ TEST(SceneReader, LetsTheRobotStartUnderATableThatIsHighEnough) {
 }
 
 TEST(SceneReader, PutsPartitionsAmongTheWalls) {
-  const Scene scene =
-      read_scene_text(edited(kSoundScene, "[0, 3]] }",
-                             "[0, 3]], partitions: [{ points_m: [[3, 0], [3, 1]], closed: false }] }"),
-                      "s.yaml");
+  const Scene scene = read_scene_text(
+      edited(kSoundScene, "[0, 3]] }", "[0, 3]], partitions: [{ points_m: [[3, 0], [3, 1]] }] }"), "s.yaml");
   ASSERT_EQ(scene.world.walls.size(), 2u);
   EXPECT_FALSE(scene.world.walls[1].closed);
 }

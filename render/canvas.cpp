@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 
 namespace sensotwin::render {
 namespace {
@@ -74,6 +75,29 @@ cairo_status_t append_svg(void* closure, const unsigned char* data, unsigned int
   };
   return {plain((word >> 16) & 0xFFu), plain((word >> 8) & 0xFFu), plain(word & 0xFFu),
           static_cast<std::uint8_t>(alpha)};
+}
+
+/// cairo numbers surfaces through the whole process ("surface583"): counts them anew within the file, so that
+/// equal drawings give equal files.
+[[nodiscard]] std::string with_local_ids(const std::string& svg) {
+  static constexpr std::string_view kName = "surface";
+  std::map<std::string, std::size_t> numbers;
+  std::string out;
+  std::size_t from = 0;
+  for (std::size_t at = svg.find(kName); at != std::string::npos; at = svg.find(kName, from)) {
+    const std::size_t digits = at + kName.size();
+    std::size_t end = digits;
+    while (end < svg.size() && svg[end] >= '0' && svg[end] <= '9') {
+      ++end;
+    }
+    out.append(svg, from, digits - from);
+    if (end > digits) {
+      out += std::to_string(
+          numbers.try_emplace(svg.substr(digits, end - digits), numbers.size() + 1).first->second);
+    }
+    from = end;
+  }
+  return out + svg.substr(from);
 }
 
 [[nodiscard]] cairo_surface_t* surface_from(const Image& image) {
@@ -307,7 +331,7 @@ Rendered<std::string> Canvas::take_svg() {
     return Unexpected{
         RenderError{RenderError::Kind::kEncoding, std::string("cairo: ") + cairo_status_to_string(status)}};
   }
-  return std::move(impl_->svg);
+  return with_local_ids(impl_->svg);
 }
 
 }  // namespace sensotwin::render

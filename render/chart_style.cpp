@@ -96,7 +96,8 @@ void draw_reference_lines(Canvas& canvas, const ChartFrame& frame, const Chart& 
 
 ChartRange padded(ChartRange range, bool log) {
   if (log) {
-    const double factor = range.high > range.low ? 1.05 : 2.0;
+    // A twentieth of the axis on either side; an octave about a single value.
+    const double factor = range.high > range.low ? std::pow(range.high / range.low, 0.05) : 2.0;
     return {range.low / factor, range.high * factor};
   }
   const double span = range.high - range.low;

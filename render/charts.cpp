@@ -84,7 +84,7 @@ class RangeOf {
   out.x.range = out.x.range ? out.x.range : x.range(out.x.log);
   out.y.range = out.y.range ? out.y.range : y.range(out.y.log);
   const bool labels = std::any_of(chart.series.begin(), chart.series.end(),
-                                  [](const Series& s) { return !s.end_label.empty(); });
+                                  [](const Series& s) { return !s.end_label.empty() && !s.end_label_above; });
   out.plot = chart_plot(chart.frame, labels ? kEndLabelUnits : kRightUnits);
   return out;
 }
@@ -138,7 +138,7 @@ void draw_series(Canvas& canvas, const Chart& chart, const Series& series, doubl
   }
 }
 
-/// Beside the last point; pushed down where it would lie on an earlier one.
+/// At the last point; pushed away where it would lie on an earlier one.
 void draw_end_labels(Canvas& canvas, const LineChart& chart, const Chart& placed, double u) {
   std::vector<RectPx> taken;
   for (const Series& series : chart.series) {
@@ -150,8 +150,14 @@ void draw_end_labels(Canvas& canvas, const LineChart& chart, const Chart& placed
     const TextStyle style{21.0 * u, series.color, true, Align::kLeft, 0.0, palette::kPaper.with_alpha(230)};
     const double width = canvas.width_of(series.end_label, style);
     RectPx box{end.x() + 14.0 * u, end.y() - 13.0 * u, width, 26.0 * u};
+    if (series.end_label_above) {
+      box.x = end.x() - width / 2.0;
+      box.y = end.y() - 44.0 * u;
+    }
     for (const RectPx& other : taken) {
-      box.y = box.overlaps(other) ? other.bottom() : box.y;
+      if (box.overlaps(other)) {
+        box.y = series.end_label_above ? other.y - box.height : other.bottom();
+      }
     }
     taken.push_back(box);
     canvas.text({box.x, box.center().y()}, series.end_label, style);

@@ -42,7 +42,8 @@ struct Series {
   SeriesStyle style{SeriesStyle::kLine};
   double width_px{3.5};  ///< in a chart 1600 pixels wide
   bool dashed{false};
-  std::string end_label;  ///< beside the last point; none when empty
+  std::string end_label;        ///< at the last point; none when empty
+  bool end_label_above{false};  ///< above it, where many series end at one height; else to its right
 };
 
 /// A hollow mark: a value from elsewhere, to compare with.
@@ -93,7 +94,7 @@ struct Histogram {
   ChartFrame frame;
   std::vector<double> values;
   int bins{24};
-  Rgba color{palette::kBlue};
+  Rgba color{palette::kSky};
   std::vector<ReferenceLine> reference_lines;
 };
 

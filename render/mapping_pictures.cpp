@@ -160,7 +160,8 @@ LineChart tags_over_time_chart(const TagsOverTime& view) {
     series.style = SeriesStyle::kStep;
     series.width_px = known ? 4.0 : 5.0;
     if (!run.found.empty()) {
-      series.end_label = fmt::format("{:.1f}", run.found.back().x);
+      series.end_label = fmt::format("{:.1f} min", run.found.back().x);
+      series.end_label_above = true;
     }
     for (const ChartPoint& p : run.found) {
       most = std::max(most, p.y);
@@ -181,7 +182,7 @@ LineChart tags_over_time_chart(const TagsOverTime& view) {
     }
   }
   if (most > 0.0 && std::isfinite(most)) {
-    chart.frame.y.range = ChartRange{0.0, most * 1.12};
+    chart.frame.y.range = ChartRange{0.0, most * 1.2};
   }
   return chart;
 }

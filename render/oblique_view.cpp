@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+#include <Eigen/Geometry>
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -18,7 +19,7 @@ constexpr double kCutWall_m = 0.12;
 constexpr double kInnerWall_m = 0.90;
 constexpr double kWallThickness_m = 0.07;
 
-constexpr Rgba kWallFace = rgb(0xDDE3E9);
+constexpr Rgba kWallFace = rgb(0xEDF1F5);
 constexpr Rgba kWallTop = rgb(0x5B6672);
 constexpr Rgba kWood = rgb(0xC99E63);
 
@@ -128,13 +129,11 @@ void add_walls(Scene3d& scene, const SceneView& view) {
       if (front) {
         const Vec3 top_a = lifted(a, view.ceiling_m);
         const Vec3 top_b = lifted(b, view.ceiling_m);
-        scene.glass.quad(lifted(a, kCutWall_m), lifted(b, kCutWall_m), top_b, top_a,
-                         kWallFace.with_alpha(26));
-        edge(scene, scene.glass, lifted(a, kCutWall_m), top_a, 1.2, palette::kSoftInk.with_alpha(110));
-        edge(scene, scene.glass, lifted(b, kCutWall_m), top_b, 1.2, palette::kSoftInk.with_alpha(110));
+        edge(scene, scene.glass, lifted(a, kCutWall_m), top_a, 1.2, palette::kSoftInk.with_alpha(90));
+        edge(scene, scene.glass, lifted(b, kCutWall_m), top_b, 1.2, palette::kSoftInk.with_alpha(90));
       }
-      edge(scene, scene.glass, lifted(a, view.ceiling_m), lifted(b, view.ceiling_m), 2.0,
-           front ? palette::kSoftInk.with_alpha(150) : kWallTop);
+      edge(scene, scene.glass, lifted(a, view.ceiling_m), lifted(b, view.ceiling_m), front ? 1.2 : 2.0,
+           front ? palette::kSoftInk.with_alpha(90) : kWallTop);
     }
   }
 }
@@ -201,24 +200,31 @@ void add_ceiling_tags(Scene3d& scene, const SceneView& view) {
   return scene;
 }
 
-struct Fitted {
-  Projection projection;
-  double aspect{1.0};
-};
-
-/// Corners of everything, floor and ceiling, on the picture of an unscaled view.
-[[nodiscard]] std::pair<Vec2, Vec2> bounds_px(const Projection& view_px, const Extent& extent,
-                                              double ceiling_m) {
+/// Around everything on the picture of an unscaled view: the outline of all things on the floor, and of the
+/// walls under the ceiling.
+[[nodiscard]] std::pair<Vec2, Vec2> bounds_px(const Projection& view_px, const SceneView& view) {
   Vec2 low{1e300, 1e300};
   Vec2 high = -low;
-  for (const double x : {extent.min_m.x(), extent.max_m.x()}) {
-    for (const double y : {extent.min_m.y(), extent.max_m.y()}) {
-      for (const double z : {0.0, ceiling_m}) {
-        const Vec2 p = view_px.pixel(Vec3{x, y, z});
-        low = low.cwiseMin(p);
-        high = high.cwiseMax(p);
-      }
+  const auto add = [&](const Vec2& p_m, double z_m) {
+    const Vec2 p = view_px.pixel(lifted(p_m, z_m));
+    low = low.cwiseMin(p);
+    high = high.cwiseMax(p);
+  };
+  for (const Vec2& p : outline_of(view)) {
+    add(p, 0.0);
+  }
+  if (const WallView* room = room_of(view)) {
+    for (const Vec2& p : room->points_m) {
+      add(p, view.ceiling_m);
     }
+  }
+  for (const FurnitureView& piece : view.furniture) {
+    for (const Vec2& p : footprint(piece)) {
+      add(p, piece.height_m);
+    }
+  }
+  for (const CeilingTagView& tag : view.ceiling_tags) {
+    add(tag.at_m, tag.height_m);
   }
   return {low, high};
 }
@@ -270,7 +276,7 @@ Rendered<Picture> draw_oblique_view(OffscreenContext& context, const SceneView& 
       target + distance_m * Vec3{std::cos(kElevation_rad) * std::cos(kAzimuth_rad),
                                  std::cos(kElevation_rad) * std::sin(kAzimuth_rad), std::sin(kElevation_rad)};
   const Projection raw = perspective(eye, target, 0.3 * distance_m, 2.0 * distance_m);
-  const auto [low, high] = bounds_px(raw, extent, view.ceiling_m);
+  const auto [low, high] = bounds_px(raw, view);
   const Vec2 span = high - low;
   const Sheet sheet = sheet_for(options.width_px, options.height_px, span.x() / span.y());
   const double u = sheet.unit_px;

@@ -13,8 +13,9 @@ constexpr Rgba kUnreachableMark = rgb(0x7C73B0);
 constexpr Rgba kCliff = rgb(0x5B4A68);
 
 constexpr double kHalf = 0.5;
-const std::array kBlockedMarks{TileMark{{-kHalf, -kHalf}, {kHalf, kHalf}, kHatch, 0.04},
-                               TileMark{{-kHalf, kHalf}, {kHalf, -kHalf}, kHatch, 0.04}};
+// Kept off the edges: furniture covers most of a blocked tile, and clipped crosses around it look like dirt.
+const std::array kBlockedMarks{TileMark{{-0.2, -0.2}, {0.2, 0.2}, kHatch, 0.04},
+                               TileMark{{-0.2, 0.2}, {0.2, -0.2}, kHatch, 0.04}};
 const std::array kUnreachableMarks{TileMark{{-kHalf, 0.0}, {0.0, kHalf}, kUnreachableMark, 0.04},
                                    TileMark{{-kHalf, -kHalf}, {kHalf, kHalf}, kUnreachableMark, 0.04},
                                    TileMark{{0.0, -kHalf}, {kHalf, 0.0}, kUnreachableMark, 0.04}};
@@ -169,7 +170,9 @@ void ground_marks(Mesh& mesh, const SceneView& view, double px_per_m, double lin
     mesh.disc({fan.X_WV.p_m, 6.0 * line_m}, palette::kPink);
   }
   for (const TagView& tag : view.tags) {
-    tag.dead ? mesh.ring({tag.at_m, 4.0 * line_m}, 1.5 * line_m, palette::kVermilion)
+    // On white paper, so that it shows on dark tiles too.
+    mesh.disc({tag.at_m, (tag.dead ? 7.0 : 3.4) * line_m}, palette::kPaper);
+    tag.dead ? mesh.ring({tag.at_m, 4.5 * line_m}, 2.5 * line_m, palette::kVermilion)
              : mesh.disc({tag.at_m, 2.2 * line_m}, palette::kSoftInk);
   }
 }
@@ -219,6 +222,12 @@ std::vector<Vertex> top_view_triangles(const SceneView& view, double px_per_m, d
   layers::trajectory(mesh, view, px_per_m, line_px, 0.0);
   for (const WallView& wall : view.walls) {
     mesh.stroke(wall.points_m, wall.closed, 6.0 * line_m, palette::kWall);
+  }
+  for (const CeilingTagView& tag : view.ceiling_tags) {
+    // Where its plumb line meets the floor.
+    const Polygon diamond = square(tag.at_m, 12.0 * line_m, robot::kPi / 4.0);
+    mesh.fill(diamond, palette::kCeilingTag);
+    mesh.stroke(diamond, true, 2.0 * line_m, palette::kPaper);
   }
   for (const LandmarkView& mark : view.landmarks) {
     landmark(mesh, mark.at_m, line_m);

@@ -118,6 +118,9 @@ void draw_names(Canvas& canvas, const SceneView& view, const Picture& picture, d
   for (const LandmarkView& mark : view.landmarks) {
     draw_point_label(canvas, labels, X.pixel(mark.at_m), mark.label, u);
   }
+  for (const CeilingTagView& tag : view.ceiling_tags) {
+    draw_point_label(canvas, labels, X.pixel(tag.at_m), tag.label, u);
+  }
 }
 
 }  // namespace

@@ -3,9 +3,12 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <span>
 #include <string_view>
+
+#include "render/plane_geometry.hpp"
 
 namespace sensotwin::render {
 namespace {
@@ -117,32 +120,6 @@ void check_marks(const SceneView& view, FaultFinder& find) {
   find.number(view.north_yaw_rad, "north", 0);
 }
 
-class ExtentBuilder {
- public:
-  void add(const Vec2& p, double around_m = 0.0) {
-    const Vec2 margin{around_m, around_m};
-    if (empty_) {
-      extent_ = {p - margin, p + margin};
-      empty_ = false;
-      return;
-    }
-    extent_.min_m = extent_.min_m.cwiseMin(p - margin);
-    extent_.max_m = extent_.max_m.cwiseMax(p + margin);
-  }
-  /// At least 10 cm each way, so that a single point still has a scale.
-  [[nodiscard]] Extent extent() const {
-    if (empty_) {
-      return {{-0.5, -0.5}, {0.5, 0.5}};
-    }
-    const Vec2 grow = (Vec2{0.1, 0.1} - extent_.size_m()).cwiseMax(0.0) / 2.0;
-    return {extent_.min_m - grow, extent_.max_m + grow};
-  }
-
- private:
-  Extent extent_;
-  bool empty_{true};
-};
-
 }  // namespace
 
 std::optional<RenderError> first_fault(const SceneView& view) {
@@ -152,42 +129,57 @@ std::optional<RenderError> first_fault(const SceneView& view) {
   return find.fault();
 }
 
-Extent extent_of(const SceneView& view) {
-  ExtentBuilder builder;
+std::vector<Vec2> outline_of(const SceneView& view) {
+  std::vector<Vec2> points;
+  const auto add = [&points](const Vec2& p) { points.push_back(p); };
+  const auto add_around = [&points](const Vec2& p, double r_m) {
+    points.insert(points.end(),
+                  {p + Vec2{r_m, r_m}, p + Vec2{r_m, -r_m}, p - Vec2{r_m, r_m}, p - Vec2{r_m, -r_m}});
+  };
   for (const WallView& wall : view.walls) {
-    for (const Vec2& p : wall.points_m) {
-      builder.add(p);
-    }
+    std::for_each(wall.points_m.begin(), wall.points_m.end(), add);
   }
   for (const FurnitureView& piece : view.furniture) {
-    for (const Vec2& p : piece.outline_m) {
-      builder.add(p);
-    }
+    std::for_each(piece.outline_m.begin(), piece.outline_m.end(), add);
     for (const CircleView& circle : piece.circles) {
-      builder.add(circle.center_m, circle.radius_m);
+      add_around(circle.center_m, circle.radius_m);
     }
   }
   for (const TileView& tile : view.tiles) {
-    builder.add(tile.center_m, tile.size_m / 2.0);
+    add_around(tile.center_m, tile.size_m / 2.0);
   }
   for (const TimedPoint& point : view.trajectory) {
-    builder.add(point.p_m);
+    add(point.p_m);
   }
   for (const auto& cliff : view.cliffs_m) {
-    for (const Vec2& p : cliff) {
-      builder.add(p);
-    }
+    std::for_each(cliff.begin(), cliff.end(), add);
   }
   for (const CeilingTagView& tag : view.ceiling_tags) {
-    builder.add(tag.at_m);
+    add(tag.at_m);
   }
   if (view.robot) {
-    builder.add(view.robot->X_WR.p_m, view.robot->radius_m);
+    add_around(view.robot->X_WR.p_m, view.robot->radius_m);
   }
   if (view.home_base) {
-    builder.add(view.home_base->p_m, 0.1);
+    // iRobot's home base reaches about 10 cm from its contacts.
+    add_around(view.home_base->p_m, 0.1);
   }
-  return builder.extent();
+  return convex_hull(std::move(points));
+}
+
+Extent extent_of(const SceneView& view) {
+  const std::vector<Vec2> outline = outline_of(view);
+  if (outline.empty()) {
+    return {{-0.5, -0.5}, {0.5, 0.5}};
+  }
+  Extent extent{outline.front(), outline.front()};
+  for (const Vec2& p : outline) {
+    extent.min_m = extent.min_m.cwiseMin(p);
+    extent.max_m = extent.max_m.cwiseMax(p);
+  }
+  // At least 10 cm each way, so that a single point still has a scale.
+  const Vec2 grow = (Vec2{0.1, 0.1} - extent.size_m()).cwiseMax(0.0) / 2.0;
+  return {extent.min_m - grow, extent.max_m + grow};
 }
 
 }  // namespace sensotwin::render

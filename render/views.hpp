@@ -131,6 +131,8 @@ struct Extent {
   [[nodiscard]] Vec2 center_m() const { return 0.5 * (min_m + max_m); }
 };
 
+/// Convex hull of everything that stands or lies in the view, counter-clockwise; empty when there is nothing.
+[[nodiscard]] std::vector<Vec2> outline_of(const SceneView& view);
 /// Around everything that stands or lies in the view. A square metre about the origin when there is nothing.
 [[nodiscard]] Extent extent_of(const SceneView& view);
 

@@ -68,7 +68,7 @@ Histogram error_histogram() {
     chart.values.push_back(random.normal(0.3, 1.0));
   }
   chart.bins = 48;
-  chart.reference_lines.push_back({0.3, true, "mean 0.3", palette::kVermilion});
+  chart.reference_lines.push_back({0.3, true, "mean 0.3", palette::kInk});
   return chart;
 }
 

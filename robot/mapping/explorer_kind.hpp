@@ -23,8 +23,9 @@ enum class ExplorerKind : std::uint8_t {
 };
 
 inline constexpr std::array<ExplorerKind, 7> kExplorerKinds{
-    ExplorerKind::kBfm,  ExplorerKind::kBfmOutAndBack, ExplorerKind::kBfmAllNeighbours, ExplorerKind::kDfm,
-    ExplorerKind::kIdfm, ExplorerKind::kSpiral,        ExplorerKind::kSweep};
+    ExplorerKind::kBfm,  ExplorerKind::kBfmOutAndBack, ExplorerKind::kBfmAllNeighbours,
+    ExplorerKind::kDfm,  ExplorerKind::kIdfm,          ExplorerKind::kSpiral,
+    ExplorerKind::kSweep};
 
 inline constexpr ExplorerKind kDefaultExplorer = ExplorerKind::kSweep;
 

@@ -6,18 +6,29 @@
 namespace sensotwin::robot {
 namespace {
 
-/// The weights of the first were found by trial on rooms of the paper's study (others than those of the tests);
-/// the second is its mirror image; the last two are the right-hand and the left-hand spiral.
+/// The weights of the first were found by trial on rooms of the paper's study (others than those of the
+/// tests); the second is its mirror image; the last two are the right-hand and the left-hand spiral.
 constexpr std::array<SweepRule, 4> kRules{
-    SweepRule{.per_wanted_neighbour = 1.925, .not_straight = 0.912, .right = -0.92, .left = 0.92, .splits = 1.47},
-    SweepRule{.per_wanted_neighbour = 1.925, .not_straight = 0.912, .right = 0.92, .left = -0.92, .splits = 1.47},
+    SweepRule{
+        .per_wanted_neighbour = 1.925, .not_straight = 0.912, .right = -0.92, .left = 0.92, .splits = 1.47},
+    SweepRule{
+        .per_wanted_neighbour = 1.925, .not_straight = 0.912, .right = 0.92, .left = -0.92, .splits = 1.47},
     SweepRule{.not_straight = 1.0, .right = -2.0, .left = 2.0},
     SweepRule{.not_straight = 1.0, .right = 2.0, .left = -2.0}};
+
+/// How far the unknown room is presumed to go on where nothing has been met yet. With a price on turns, 8
+/// tiles (4 m) make the plans long and straight from the start: 9.51 instead of 9.70 minutes, mean of 428
+/// random houses of 207 tags. Where tiles alone count, presuming nothing is better: mean epsilon 5.7 instead
+/// of 6.05 %.
+constexpr int kTilesBeyondWhenTurnsCost = 8;
 
 /// A plan must be cheaper than another by more than rounding makes of equal sums.
 constexpr double kRounding_s = 1e-6;
 
 }  // namespace
+
+Sweep::Sweep(const MoveCost& cost)
+    : field_(cost.quarter_turn_s > 0.0 ? kTilesBeyondWhenTurnsCost : 0), planner_(cost) {}
 
 std::optional<Move> Sweep::do_next(const TileMap& map, Tile at, Direction heading) {
   auto move = straight_move(map, at, heading, DoubtfulTiles::kLeftOut);
@@ -74,7 +85,8 @@ std::optional<Tile> nearest_detour(const TileMap& map, Tile at) {
   for (std::size_t i = 0; i < queue.size(); ++i) {
     for (const Direction side : kDirections) {
       const Tile next = neighbour(queue[i], side);
-      if (!map.visited(next) || map.passage(queue[i], side) == Passage::kBlocked || distance.at(next) != kFar) continue;
+      if (!map.visited(next) || map.passage(queue[i], side) == Passage::kBlocked || distance.at(next) != kFar)
+        continue;
       distance.ref(next) = distance.at(queue[i]) + 1;
       queue.push_back(next);
     }

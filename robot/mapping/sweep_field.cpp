@@ -17,14 +17,32 @@ bool doubtful(const TileMap& map, Tile t) {
 
 }  // namespace
 
-TileBounds SweepField::presumed_bounds(const TileMap& map) {
+TileBounds SweepField::presumed_bounds(const TileMap& map) const {
   TileBounds bounds = map.visited_bounds();
   for (const auto& [tile, tag] : map.tiles()) {
     for (const Direction side : kDirections) {
       if (map.untried(tile, side)) bounds = bounds.including(neighbour(tile, side));
     }
   }
-  return bounds;
+  return with_margin(map, bounds);
+}
+
+TileBounds SweepField::with_margin(const TileMap& map, const TileBounds& bounds) const {
+  // Indexed by direction: a side is closed when a visited tile in its outermost line was found blocked
+  // outwards.
+  std::array<bool, 4> closed{};
+  for (const auto& [tile, tag] : map.tiles()) {
+    for (const Direction side : kDirections) {
+      if (bounds.contains(neighbour(tile, side))) continue;
+      closed[static_cast<std::size_t>(side)] = true;
+    }
+  }
+  TileBounds wide = bounds;
+  if (!closed[0]) wide.max.column += tiles_beyond_;
+  if (!closed[1]) wide.max.row += tiles_beyond_;
+  if (!closed[2]) wide.min.column -= tiles_beyond_;
+  if (!closed[3]) wide.min.row -= tiles_beyond_;
+  return wide;
 }
 
 void SweepField::build(const TileMap& map, DoubtfulTiles doubtful_tiles) {
@@ -42,7 +60,8 @@ void SweepField::build(const TileMap& map, DoubtfulTiles doubtful_tiles) {
       const Tile t{column, row};
       const auto c = static_cast<std::size_t>(cell(t));
       const bool visited = map.visited(t);
-      present[c] = visited || (!map.unreachable(t) && (doubtful_tiles == DoubtfulTiles::kWanted || !doubtful(map, t)));
+      present[c] =
+          visited || (!map.unreachable(t) && (doubtful_tiles == DoubtfulTiles::kWanted || !doubtful(map, t)));
       wanted_[c] = present[c] && !visited;
       wanted_count_ += wanted_[c];
     }

@@ -10,20 +10,24 @@
 
 namespace sensotwin::robot {
 
-/// Tiles that some passage was found blocked to and none open. In a room of blocked tiles they are obstacles; in one
-/// with walls between free tiles they may be reached from another side, and are worth trying when all else is done.
+/// Tiles that some passage was found blocked to and none open. In a room of blocked tiles they are obstacles;
+/// in one with walls between free tiles they may be reached from another side, and are worth trying when all
+/// else is done.
 enum class DoubtfulTiles : std::uint8_t { kLeftOut, kWanted };
 
 /// The room as a plan presumes it: what is known, and the unknown taken for free floor.
 ///
-/// The room's size is not known. Presumed is the rectangle round all tiles that are visited or that an open passage
-/// leads to; it grows as such tiles are found. In an empty room this makes the robot follow the walls first, which
-/// costs nothing and finds the room's size early.
+/// The room's size is not known. Presumed is the rectangle round all tiles that are visited or that an open
+/// passage leads to, and `tiles_beyond` more on each side where no wall or obstacle has been met; it grows as
+/// tiles are found.
 ///
-/// Cells are numbered row by row in a rectangle with a rim of absent cells, so that every neighbour has a number.
+/// Cells are numbered row by row in a rectangle with a rim of absent cells, so that every neighbour has a
+/// number.
 class SweepField {
  public:
   using Cell = std::int32_t;
+
+  explicit SweepField(int tiles_beyond) : tiles_beyond_(tiles_beyond) {}
 
   void build(const TileMap& map, DoubtfulTiles doubtful_tiles);
 
@@ -40,13 +44,16 @@ class SweepField {
   /// 1 for cells that a plan has yet to visit.
   [[nodiscard]] const std::vector<std::uint8_t>& wanted() const { return wanted_; }
   [[nodiscard]] bool wanted_beyond(Cell c, int side) const {
-    return (sides_[static_cast<std::size_t>(c)] >> side & 1) != 0 && wanted_[static_cast<std::size_t>(c + step(side))] != 0;
+    return (sides_[static_cast<std::size_t>(c)] >> side & 1) != 0 &&
+           wanted_[static_cast<std::size_t>(c + step(side))] != 0;
   }
   [[nodiscard]] int wanted_count() const { return wanted_count_; }
 
  private:
-  [[nodiscard]] static TileBounds presumed_bounds(const TileMap& map);
+  [[nodiscard]] TileBounds presumed_bounds(const TileMap& map) const;
+  [[nodiscard]] TileBounds with_margin(const TileMap& map, const TileBounds& bounds) const;
 
+  int tiles_beyond_;
   TileBounds presumed_{};
   Tile corner_{};
   Cell stride_{1};

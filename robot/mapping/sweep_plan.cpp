@@ -21,8 +21,14 @@ void SweepPlanner::set_out(const SweepField& field, Cell at, int heading) {
   start_heading_ = heading;
   const Cell e = field.step(0);
   const Cell n = field.step(1);
-  ring_ = {e, static_cast<Cell>(n + e), n, static_cast<Cell>(n - e), static_cast<Cell>(-e),
-           static_cast<Cell>(-n - e), static_cast<Cell>(-n), static_cast<Cell>(e - n)};
+  ring_ = {e,
+           static_cast<Cell>(n + e),
+           n,
+           static_cast<Cell>(n - e),
+           static_cast<Cell>(-e),
+           static_cast<Cell>(-n - e),
+           static_cast<Cell>(-n),
+           static_cast<Cell>(e - n)};
   if (seen_in_search_.size() != field.size()) {
     seen_in_search_.assign(field.size(), 0);
     came_by_.assign(field.size(), 0);
@@ -41,7 +47,8 @@ void SweepPlanner::restart() {
 }
 
 void SweepPlanner::drive(int side) {
-  cost_s_ += cost_.tile_s + cost_.quarter_turn_s * kQuarterTurns[static_cast<std::size_t>((side - heading_) & 3)];
+  cost_s_ +=
+      cost_.tile_s + cost_.quarter_turn_s * kQuarterTurns[static_cast<std::size_t>((side - heading_) & 3)];
   heading_ = side;
   at_ += field_->step(side);
   wanted_left_ -= wanted_[idx(at_)];

@@ -10,10 +10,11 @@
 
 namespace sensotwin::robot {
 
-/// A rule for the next cell: the wanted neighbour with the smallest sum. Where no neighbour is wanted, the nearest
-/// wanted cell.
+/// A rule for the next cell: the wanted neighbour with the smallest sum. Where no neighbour is wanted, the
+/// nearest wanted cell.
 struct SweepRule {
-  double per_wanted_neighbour{0.0};  ///< of the candidate: few of them means that it would be left behind (Warnsdorff)
+  double per_wanted_neighbour{
+      0.0};  ///< of the candidate: few of them means that it would be left behind (Warnsdorff)
   double not_straight{0.0};
   double right{0.0};
   double left{0.0};
@@ -39,7 +40,8 @@ class SweepPlanner {
   /// Follows `rule` to the end, the first step being through `first_side` unless that is negative.
   /// \param give_up_s  once the plan costs as much it is given up: the result has no steps
   [[nodiscard]] SweepPlan follow(const SweepRule& rule, int first_side, double give_up_s);
-  /// Visits `order` in turn, leaving out what cannot be reached or is visited by the way, then follows `rule`.
+  /// Visits `order` in turn, leaving out what cannot be reached or is visited by the way, then follows
+  /// `rule`.
   [[nodiscard]] SweepPlan repair(const std::vector<Cell>& order, const SweepRule& rule, double give_up_s);
 
  private:

@@ -30,15 +30,16 @@ std::string json_of(const EpsilonCell& cell) {
   return line("        {\"blocked_percent\": %d, \"chunks\": %d, ", cell.obstacles.blocked_percent,
               cell.obstacles.chunks) +
          "\"paper\": " + json_of(cell.paper) + ", \"physical\": " + json_of(cell.physical) +
-         line(", \"turns_per_tag\": %.6f, \"time_per_tag_s\": %.6f, \"incomplete_maps\": %d}", cell.turns_per_tag,
-              cell.time_per_tag_s, cell.incomplete_maps);
+         line(", \"turns_per_tag\": %.6f, \"time_per_tag_s\": %.6f, \"incomplete_maps\": %d}",
+              cell.turns_per_tag, cell.time_per_tag_s, cell.incomplete_maps);
 }
 
-std::string table_row(const char* counting, const PlaneFit& fit, double mean_percent, const EpsilonCell& largest,
-                      const EpsilonFigures& figures) {
-  return line("  %-9s %7.4f Bp %+8.4f Bd %+8.4f  R2 %5.3f  mean %6.2f %%  largest cell %6.2f %% at (%d, %d)\n",
-              counting, fit.per_blocked_percent, fit.per_chunk, fit.constant, fit.r_squared, mean_percent,
-              figures.mean_percent, largest.obstacles.blocked_percent, largest.obstacles.chunks);
+std::string table_row(const char* counting, const PlaneFit& fit, double mean_percent,
+                      const EpsilonCell& largest, const EpsilonFigures& figures) {
+  return line(
+      "  %-9s %7.4f Bp %+8.4f Bd %+8.4f  R2 %5.3f  mean %6.2f %%  largest cell %6.2f %% at (%d, %d)\n",
+      counting, fit.per_blocked_percent, fit.per_chunk, fit.constant, fit.r_squared, mean_percent,
+      figures.mean_percent, largest.obstacles.blocked_percent, largest.obstacles.chunks);
 }
 
 }  // namespace
@@ -78,8 +79,9 @@ std::string to_json(const EpsilonStudy& study) {
 }
 
 std::string to_table(const EpsilonStudy& study) {
-  std::string text = line("%d maps in each of %zu cells, seed %llu; epsilon in per cent\n", study.options.maps_per_cell,
-                          study.options.cells.size(), static_cast<unsigned long long>(study.options.seed));
+  std::string text =
+      line("%d maps in each of %zu cells, seed %llu; epsilon in per cent\n", study.options.maps_per_cell,
+           study.options.cells.size(), static_cast<unsigned long long>(study.options.seed));
   text += "SensoBot, equation (2), for IDFM, its own counting:\n";
   text += "  paper      0.0765 Bp  +0.4869 Bd  -0.3437            largest cell < 11 %\n";
   for (const ExplorerEpsilon& explorer : study.explorers) {
@@ -98,8 +100,8 @@ std::string to_table(const EpsilonStudy& study) {
                       explorer.worst_paper_cell().paper);
     text += table_row("physical", explorer.physical_fit, explorer.mean_physical_percent(),
                       explorer.worst_physical_cell(), explorer.worst_physical_cell().physical);
-    text += line("  worst map %.1f %%, %.3f turns and %.2f s a tag, %d maps incomplete\n", worst_map, turns, time_s,
-                 incomplete);
+    text += line("  worst map %.1f %%, %.3f turns and %.2f s a tag, %d maps incomplete\n", worst_map, turns,
+                 time_s, incomplete);
   }
   return text;
 }

@@ -2,7 +2,6 @@
 #include "twin/study/epsilon_study.hpp"
 
 #include <Eigen/Dense>
-
 #include <algorithm>
 #include <cassert>
 
@@ -70,14 +69,21 @@ std::vector<ObstacleCell> paper_cells() {
   return cells;
 }
 
-double ExplorerEpsilon::mean_physical_percent() const { return mean_over(cells, &EpsilonCell::physical); }
-double ExplorerEpsilon::mean_paper_percent() const { return mean_over(cells, &EpsilonCell::paper); }
+double ExplorerEpsilon::mean_physical_percent() const {
+  return mean_over(cells, &EpsilonCell::physical);
+}
+double ExplorerEpsilon::mean_paper_percent() const {
+  return mean_over(cells, &EpsilonCell::paper);
+}
 const EpsilonCell& ExplorerEpsilon::worst_physical_cell() const {
   return worst_of(cells, &EpsilonCell::physical);
 }
-const EpsilonCell& ExplorerEpsilon::worst_paper_cell() const { return worst_of(cells, &EpsilonCell::paper); }
+const EpsilonCell& ExplorerEpsilon::worst_paper_cell() const {
+  return worst_of(cells, &EpsilonCell::paper);
+}
 
-EpsilonStudy run_epsilon_study(const EpsilonStudyOptions& options, const std::function<void(int, int)>& progress) {
+EpsilonStudy run_epsilon_study(const EpsilonStudyOptions& options,
+                               const std::function<void(int, int)>& progress) {
   assert(options.maps_per_cell > 0 && !options.cells.empty());
   const std::size_t kinds = options.explorers.size();
   const std::size_t maps = static_cast<std::size_t>(options.maps_per_cell);
@@ -97,7 +103,8 @@ EpsilonStudy run_epsilon_study(const EpsilonStudyOptions& options, const std::fu
   for (std::size_t kind = 0; kind < kinds; ++kind) {
     ExplorerEpsilon result{.explorer = options.explorers[kind]};
     for (std::size_t cell = 0; cell < options.cells.size(); ++cell) {
-      result.cells.push_back(reduce(options.cells[cell], &tallies[cell * maps * kinds + kind], kinds, options));
+      result.cells.push_back(
+          reduce(options.cells[cell], &tallies[cell * maps * kinds + kind], kinds, options));
     }
     result.paper_fit = fit_cells(result.cells, &EpsilonCell::paper);
     result.physical_fit = fit_cells(result.cells, &EpsilonCell::physical);

@@ -12,7 +12,8 @@ namespace {
 
 using robot::Tile;
 
-/// Logarithm of the widest aspect ratio (algorithms of section V, chosen because the paper's plane comes out).
+/// Logarithm of the widest aspect ratio (algorithms of section V, chosen because the paper's plane comes
+/// out).
 constexpr double kLogAspectMax = 0.8;
 
 struct Chunk {
@@ -83,8 +84,8 @@ std::optional<Furnishing> try_to_furnish(const ObstacleCell& cell, robot::Random
     chunk.size = blocked / cell.chunks + (i < blocked % cell.chunks ? 1 : 0);
     if (chunk.size == 0) continue;
     const double aspect = std::exp(random.uniform(-kLogAspectMax, kLogAspectMax));
-    chunk.width =
-        std::clamp(static_cast<int>(std::lround(std::sqrt(chunk.size * aspect))), 1, std::min(chunk.size, kStudyRoomSide));
+    chunk.width = std::clamp(static_cast<int>(std::lround(std::sqrt(chunk.size * aspect))), 1,
+                             std::min(chunk.size, kStudyRoomSide));
     if (!furnishing.place_somewhere(chunk, random)) return std::nullopt;
   }
   return furnishing;
@@ -94,8 +95,8 @@ std::optional<Furnishing> try_to_furnish(const ObstacleCell& cell, robot::Random
 
 GridRoom obstacle_room(const ObstacleCell& cell, robot::RandomStream random) {
   assert(cell.blocked_percent >= 0 && cell.blocked_percent <= 30 && cell.chunks >= 1 && cell.chunks <= 16);
-  // Where the room is too full for the last chunk, all are drawn again: correcting the last ones only would make
-  // crowded rooms differ from what chance would make of them.
+  // Where the room is too full for the last chunk, all are drawn again: correcting the last ones only would
+  // make crowded rooms differ from what chance would make of them.
   auto furnishing = try_to_furnish(cell, random);
   while (!furnishing) furnishing = try_to_furnish(cell, random);
   GridRoom room{kStudyRoomSide, kStudyRoomSide};

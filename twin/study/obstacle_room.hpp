@@ -17,10 +17,10 @@ struct ObstacleCell {
 
 /// A square room of 324 tags with obstacles drawn from `random`; the start corner (0, 0) stays free.
 ///
-/// The paper says nothing of the chunks' shape. Here: nearly equal sizes; rectangles whose aspect ratio is exp(u), u
-/// uniform in +-0.8, the last row perhaps not full; no two touch, not even at a corner (with touching ones there
-/// would be fewer chunks than said). These are the chunks with which its equation (2) comes out.
-/// \pre 0 <= blocked_percent <= 30 and 1 <= chunks <= 16
+/// The paper says nothing of the chunks' shape. Here: nearly equal sizes; rectangles whose aspect ratio is
+/// exp(u), u uniform in +-0.8, the last row perhaps not full; no two touch, not even at a corner (with
+/// touching ones there would be fewer chunks than said). These are the chunks with which its equation (2)
+/// comes out. \pre 0 <= blocked_percent <= 30 and 1 <= chunks <= 16
 [[nodiscard]] GridRoom obstacle_room(const ObstacleCell& cell, robot::RandomStream random);
 
 }  // namespace sensotwin::twin

@@ -77,10 +77,13 @@ struct Floor {
   double rolling_resistance{0.04};  ///< drag of castor and pile / weight, dimensionless. Chosen: low pile carpet
   /// Creep: slip ratio of a driven wheel per unit of (tractive force / friction limit), dimensionless.
   double creep{0.02};
-  /// Unevenness: standard deviation of each wheel's fractional slip about its mean, and the distance over which
-  /// it stays the same.
+  /// Unevenness: mean, and equally standard deviation, of the part of each wheel's way that the pile takes
+  /// (exponentially distributed, so never negative), and the distance over which it stays the same.
   double roughness{0.02};
   double roughness_length_m{0.05};
+  /// Arm of the moment with which a tyre's contact patch resists turning on itself. Chosen: 2/3 of the radius of a
+  /// patch 2 cm across, evenly pressed.
+  double scrub_arm_m{0.007};
   /// Nap: sideways drift per metre driven across the lie of the pile, and the direction the pile lies in.
   double nap_drift{0.01};
   double nap_yaw_rad{0.0};
@@ -124,9 +127,14 @@ struct WorldDescription {
 
 enum class RoombaKind : std::uint8_t { kCreate2, kRoomba400 };
 
+/// What the mainboard's program answers wrongly (protocols study, 1.7): nothing since 3.4.1; the angle packet before
+/// it; distance and requested radius too before 3.3.0; the Open Interface mode one too high on Wi-Fi models.
+enum class RoombaFirmware : std::uint8_t { kCurrent, kBefore341, kBefore330, kWifi };
+
 /// Defaults: Create 2 Open Interface 2016 (wheel base, wheel, counts, speed); iRobot's published size and weight.
 struct RoombaDescription {
   RoombaKind kind{RoombaKind::kCreate2};
+  RoombaFirmware firmware{RoombaFirmware::kCurrent};
   double radius_m{0.17};
   double height_m{0.092};
   double mass_kg{3.5};
@@ -135,6 +143,7 @@ struct RoombaDescription {
   double counts_per_turn{508.8};
   double speed_max_mps{0.5};
   double wheel_acceleration_mps2{1.5};   ///< chosen: 0 to 0.3 m/s in 0.2 s, as Create 2 users report
+  double drive_wheel_load{0.9};          ///< part of the weight on the driven wheels, the rest on the castor. Chosen
   /// Manufacturing: each wheel's diameter and the effective wheel base differ from nominal by these fractions
   /// (1 sigma, drawn once per run). "1 % after calibration" (algorithms study, C.2).
   double wheel_diameter_sigma{0.005};

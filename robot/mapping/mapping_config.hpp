@@ -27,7 +27,8 @@ struct MappingConfig {
   double read_radius_m{0.08};    ///< of the floor antenna's zone
   /// A tag's coming and going is noticed this much late: half a reader poll and half a control step.
   double rim_delay_s{0.013};
-  double rim_sigma_m{0.007};     ///< speed times a control step, and 5 mm of where the tag was laid
+  double rim_sigma_m{0.003};     ///< a rim crossing's place: 0.3 m/s times what is uncertain of the delay
+  double tag_sigma_m{0.005};     ///< where the tag was laid
   double acceleration_mps2{0.8};
   double turn_acceleration_radps2{8.0};
   /// Tags are passed this far to the left of their middle, so that the width of the pass tells the side (PoseFilter).

@@ -17,8 +17,8 @@ Command MappingMission::step(const Sensed& sensed) {
   io_.sensed = sensed;
   io_.command.write.reset();
   navigator_.sense(sensed);
-  if (sensed.tag_write_ended) {
-    mover_.write_ended(*sensed.tag_write_ended);
+  if (sensed.write_ended) {
+    mover_.write_ended(*sensed.write_ended);
   }
   if (!started_) {
     started_ = true;
@@ -35,6 +35,11 @@ Task<> MappingMission::dwell(Instant begun, bool new_tag) {
     co_await mover_.settle();
     co_await pilot_.wait_until(begun + from_s(slot_s));
   }
+}
+
+void MappingMission::give_up(Tile tile) {
+  map_.mark_unreachable(tile);
+  ++log_.counts.tiles_given_up;
 }
 
 Task<> MappingMission::run() {
@@ -63,12 +68,12 @@ Task<> MappingMission::run() {
     }
     if (end == MoveEnd::kBlocked) {
       if (move->detour) {
-        map_.mark_unreachable(move->target);
+        give_up(move->target);
       } else {
         map_.mark_passage(from, side, Passage::kBlocked);
       }
     } else if (end == MoveEnd::kNoTag) {
-      map_.mark_unreachable(move->target);
+      give_up(move->target);
       map_.mark_passage(from, side, Passage::kBlocked);
     } else if (end == MoveEnd::kLost) {
       succeeded_ = false;

@@ -40,6 +40,7 @@ class MappingMission {
 
  private:
   Task<> run();
+  void give_up(Tile tile);
   Task<> dwell(Instant begun, bool new_tag);
 
   MappingConfig config_;

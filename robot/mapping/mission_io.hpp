@@ -12,19 +12,8 @@
 
 namespace sensotwin::robot {
 
-/// A tag came into the floor antenna's field, or left it. `stamp` is when the reader noticed.
-struct TagEntered {
-  Instant stamp;
-};
-struct TagIdentified {
-  Instant stamp;
-  TagUid tag{0};
-};
-struct TagLeft {
-  Instant stamp;
-};
 /// End of a write that the mission asked for: verified by reading back, or not done.
-struct TagWriteEnded {
+struct TileWriteEnded {
   TagUid tag{0};
   bool verified{false};
 };
@@ -44,14 +33,15 @@ struct Sensed {
   std::array<std::uint16_t, 6> light_bump{};
   /// A new compass reading: counter-clockwise angle of the robot's nose from magnetic north.
   std::optional<double> compass_rad;
-  std::optional<TagEntered> tag_entered;
-  std::optional<TagIdentified> tag_identified;
-  std::optional<TagLeft> tag_left;
-  std::optional<TagWriteEnded> tag_write_ended;
+  /// The floor antenna's reader noticed in this step that a tag left the field, that one came, which one it is.
+  bool tag_left{false};
+  bool tag_entered{false};
+  std::optional<TagUid> tag_identified;
+  std::optional<TileWriteEnded> write_ended;
 };
 
-/// Blocks to be written to the tag in the floor antenna's field, if it is still that tag.
-struct TagWrite {
+/// Coordinates to be written to the tag in the floor antenna's field, if it is still that tag.
+struct TileWrite {
   TagUid tag{0};
   Tile tile;
 };
@@ -60,7 +50,7 @@ struct TagWrite {
 struct Command {
   WheelSpeeds wheels;
   /// Set for one step: begin this write.
-  std::optional<TagWrite> write;
+  std::optional<TileWrite> write;
 };
 
 }  // namespace sensotwin::robot

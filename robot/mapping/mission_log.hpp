@@ -44,6 +44,7 @@ struct MissionCounts {
   int detours{0};
   int writes_verified{0};
   int writes_failed{0};
+  int tiles_given_up{0};  ///< reported as not to be reached, or without a tag
 };
 
 /// Events since they were last taken, and the counts.

@@ -71,45 +71,52 @@ void Navigator::sense_obstacles(const Sensed& sensed) {
   }
 }
 
+ReadZone Navigator::zone_of(Tile tile) const {
+  return {.tag_M_m = centre_m(tile),
+          .radius_m = config_.read_radius_m,
+          .rim_sigma_m = config_.rim_sigma_m,
+          .tag_sigma_m = config_.tag_sigma_m};
+}
+
 void Navigator::sense_tag(const Sensed& sensed) {
-  const Vec2 late = std::abs(speed_mps_) * config_.rim_delay_s * (speed_mps_ < 0 ? -1.0 : 1.0) * pose().direction();
+  const bool rolling = std::abs(speed_mps_) > kRimSpeed_mps;
+  const double late_m = speed_mps_ * config_.rim_delay_s;
   if (sensed.tag_left && in_field_) {
-    if (uid_ && std::abs(speed_mps_) > kRimSpeed_mps) {
-      if (const auto tile = map_.tile_of(*uid_)) {
-        filter_.correct_by_rim(centre_m(*tile), config_.read_radius_m, config_.rim_sigma_m, late);
-      }
+    if (const auto tile = uid_ ? map_.tile_of(*uid_) : std::nullopt; tile && entered_ && rolling) {
+      filter_.leave_zone(zone_of(*tile), late_m);
     }
-    in_field_ = false;
+    in_field_ = entered_ = entry_usable_ = false;
     uid_.reset();
   }
   if (sensed.tag_entered) {
     in_field_ = true;
     uid_.reset();
-    entry_usable_ = std::abs(speed_mps_) > kRimSpeed_mps;
-    entry_p_m_ = pose().p_m - late;
+    entered_ = entry_usable_ = rolling;
+    filter_.enter_zone(late_m);
   }
   if (sensed.tag_identified) {
     in_field_ = true;
-    uid_ = sensed.tag_identified->tag;
+    uid_ = *sensed.tag_identified;
     identified_ = uid_;
-    if (map_.tile_of(*uid_)) {
-      use_tag_in_field();
-    }
+    use_tag_in_field();
   }
 }
 
 void Navigator::use_tag_in_field() {
   const auto tile = uid_ ? map_.tile_of(*uid_) : std::nullopt;
-  if (!tile || !entry_usable_) {
-    return;
+  if (tile && entry_usable_) {
+    entry_usable_ = false;
+    filter_.identify_zone(zone_of(*tile));
   }
-  entry_usable_ = false;
-  filter_.correct_by_rim(centre_m(*tile), config_.read_radius_m, config_.rim_sigma_m, pose().p_m - entry_p_m_);
+}
+
+void Navigator::miss(Tile tile, double yaw_M_rad) {
+  filter_.miss_zone(zone_of(tile), {std::cos(yaw_M_rad), std::sin(yaw_M_rad)});
 }
 
 void Navigator::relocate(Tile tile) {
   filter_.reset({centre_m(tile), pose().yaw_rad}, kRelocatedSigma_m, std::max(filter_.yaw_sigma_rad(), 0.03));
-  entry_usable_ = false;
+  entered_ = entry_usable_ = false;
 }
 
 void Navigator::sense_compass(const Sensed& sensed) {

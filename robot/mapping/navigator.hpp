@@ -40,10 +40,13 @@ class Navigator {
   void use_tag_in_field();
   /// The robot is on `tile` for certain, though the filter thought otherwise.
   void relocate(Tile tile);
+  /// The robot drove past the place of this tile's tag, along this yaw, and read none.
+  void miss(Tile tile, double yaw_M_rad);
   /// The bumper was pressed: remembers where. \param side  +1 left only, -1 right only, 0 both
   void remember_bump(int side, const Sensed& sensed);
 
  private:
+  [[nodiscard]] ReadZone zone_of(Tile tile) const;
   void sense_motion(const Sensed& sensed);
   void sense_obstacles(const Sensed& sensed);
   void sense_tag(const Sensed& sensed);
@@ -60,8 +63,8 @@ class Navigator {
   bool in_field_{false};
   std::optional<TagUid> uid_;
   std::optional<TagUid> identified_;
-  bool entry_usable_{false};
-  Vec2 entry_p_m_{0.0, 0.0};
+  bool entered_{false};        ///< rolling, so that the place of entry is known
+  bool entry_usable_{false};   ///< and not yet used
   std::optional<double> compass_offset_rad_;
   double compass_at_path_m_{0.0};
 };

@@ -17,6 +17,8 @@ constexpr double kNear_m = 0.8;
 constexpr double kFar_m = 3.0;
 /// A detour ends after so many plans; each one is spoilt by something newly felt.
 constexpr int kPlansMax = 60;
+/// Rings of the search for the tag the robot came from, when the way home failed.
+constexpr int kHomeRings = 7;
 constexpr double kBackOff_m = 0.02;
 /// A corner is rounded when the robot is this near.
 constexpr double kCorner_m = 0.03;
@@ -59,7 +61,7 @@ Task<MoveEnd> TileMover::detour(Tile target) {
   log_.add(io_.sensed.stamp, MissionEventKind::kUnreachable, target);
   const MoveEnd home = co_await approach(at_, kPlansMax);
   if (home != MoveEnd::kArrived) {
-    const auto found = co_await search(target, at_);
+    const auto found = co_await search(std::nullopt, at_, kHomeRings);
     if (!found) {
       co_return MoveEnd::kLost;
     }

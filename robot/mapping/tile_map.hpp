@@ -7,6 +7,7 @@
 #include <map>
 #include <optional>
 
+#include "robot/base/tag_uid.hpp"
 #include "robot/mapping/tile.hpp"
 #include "robot/mapping/tile_grid.hpp"
 
@@ -18,9 +19,6 @@ enum class TileColor : std::uint8_t { kWhite, kGrey, kBlack };
 
 /// Whether the robot can drive straight from the middle of a tile to the middle of its neighbour.
 enum class Passage : std::uint8_t { kUnknown, kOpen, kBlocked };
-
-/// 64-bit UID of an ISO 15693 tag.
-using TagUid = std::uint64_t;
 
 /// What the robot knows of the carpet: which tiles it has been on, which tag each holds, which passages
 /// between neighbours are open or blocked, and which tiles it has given up on. Iteration is in (column, row)

@@ -24,6 +24,10 @@ constexpr double kAimMargin_m = 0.02;
 /// A tag further than this from where the robot thinks it is cannot be the one it was driving to.
 constexpr double kBelieve_m = 0.25;
 constexpr int kWriteAttempts = 4;
+/// Rings of a search, 11 cm apart: as far as a tag may be from where it was expected; and, when nothing was found, as
+/// far as the next tile's.
+constexpr int kSearchRings = 3;
+constexpr int kLostRings = 7;
 
 double yaw_of(Direction d) {
   return wrap_angle(static_cast<int>(d) * kPi / 2.0);
@@ -74,14 +78,16 @@ void TileMover::arrive(Tile tile, TagUid tag, bool first) {
 
 void TileMover::begin_write(Tile tile, TagUid tag) {
   write_pending_ = true;
+  write_in_flight_ = true;
   ++write_attempts_;
-  io_.command.write = TagWrite{tag, tile};
+  io_.command.write = TileWrite{tag, tile};
 }
 
-void TileMover::write_ended(const TagWriteEnded& ended) {
+void TileMover::write_ended(const TileWriteEnded& ended) {
   if (!write_pending_ || map_.tag_on(at_) != ended.tag) {
     return;
   }
+  write_in_flight_ = false;
   if (ended.verified) {
     write_pending_ = false;
     ++log_.counts.writes_verified;
@@ -90,8 +96,6 @@ void TileMover::write_ended(const TagWriteEnded& ended) {
     write_pending_ = false;
     ++log_.counts.writes_failed;
     log_.add(io_.sensed.stamp, MissionEventKind::kWriteFailed, at_, ended.tag);
-  } else if (navigator_.tag_in_field() == ended.tag) {
-    begin_write(at_, ended.tag);
   }
 }
 
@@ -184,8 +188,8 @@ Task<> TileMover::hold_for_write(Tile tile) {
         break;
       }
     }
-    if (navigator_.identified() && map_.tile_of(*navigator_.identified()) == tile && !io_.command.write) {
-      begin_write(tile, *navigator_.identified());
+    if (!write_in_flight_ && navigator_.tag_in_field() == map_.tag_on(tile)) {
+      begin_write(tile, *map_.tag_on(tile));
     }
     co_await io_.next;
   }
@@ -231,14 +235,14 @@ Task<MoveEnd> TileMover::go(Tile target) {
   if (end == MoveEnd::kNoTag) {
     ++log_.counts.moves_missed;
     log_.add(io_.sensed.stamp, MissionEventKind::kTagMissed, target);
-    const std::optional<MoveEnd> found = co_await search(from, target);
+    const std::optional<MoveEnd> found = co_await search(from, target, kSearchRings);
     if (found) {
       ++log_.counts.misses_recovered;
       log_.add(io_.sensed.stamp, MissionEventKind::kTagRecovered, at_);
       co_return *found;
     }
     log_.add(io_.sensed.stamp, MissionEventKind::kTagGivenUp, target);
-    const std::optional<MoveEnd> back = co_await search(target, from);
+    const std::optional<MoveEnd> back = co_await search(std::nullopt, from, kLostRings);
     if (!back) {
       end = MoveEnd::kLost;
     } else if (*back != MoveEnd::kArrived) {
@@ -281,6 +285,7 @@ Task<MoveEnd> TileMover::roll(Tile from, Tile target, Direction d) {
     }
     if (s > give_up_m) {
       co_await pilot_.brake();
+      navigator_.miss(target, line.yaw_rad);
       co_return MoveEnd::kNoTag;
     }
     if (write_pending_ && s > config_.read_radius_m / 2.0) {
@@ -321,17 +326,17 @@ Task<bool> TileMover::creep_to(Vec2 p_M_m) {
   }
 }
 
-Task<std::optional<MoveEnd>> TileMover::search(Tile from, Tile target) {
+Task<std::optional<MoveEnd>> TileMover::search(std::optional<Tile> from, Tile target, int rings) {
   // Rings of points round the place, a little less than a zone's width apart, nearest first.
   const Vec2 around_M_m = navigator_.centre_m(target);
   const double first_yaw = navigator_.pose().yaw_rad + kPi / 2.0;
-  for (const int ring : {0, 1, 2, 3}) {
+  for (int ring = 0; ring <= rings; ++ring) {
     const int points = ring == 0 ? 1 : 6 * ring;
     const double radius_m = ring * config_.read_radius_m * 1.4;
     for (int i = 0; i < points; ++i) {
       const double angle = first_yaw + 2.0 * kPi * i / points;
       const Vec2 p = around_M_m + radius_m * Vec2{std::cos(angle), std::sin(angle)};
-      if (navigator_.floor().blocks(navigator_.pose().p_m, p, config_.body_radius_m - 0.02)) {
+      if (navigator_.floor().blocks(p, p, kSureClearance_m)) {
         continue;
       }
       co_await creep_to(p);

@@ -46,7 +46,7 @@ class TileMover {
   /// True while the tag of at() still has to be written.
   [[nodiscard]] bool write_pending() const { return write_pending_; }
   /// Tells the outcome of a write; called once per step before the behaviours run.
-  void write_ended(const TagWriteEnded& ended);
+  void write_ended(const TileWriteEnded& ended);
 
  private:
   [[nodiscard]] Line line_of(Tile from, Direction d) const;
@@ -54,8 +54,9 @@ class TileMover {
   Task<> face(Direction d);
   Task<MoveEnd> roll(Tile from, Tile target, Direction d);
   Task<MoveEnd> give_way(Tile from, Line line);
-  /// Looks for the tag of `target` round its place; that of `from` does not count.
-  Task<std::optional<MoveEnd>> search(Tile from, Tile target);
+  /// Looks for the tag of `target` round its place; that of `from` does not count. Any other tag ends the
+  /// search too.
+  Task<std::optional<MoveEnd>> search(std::optional<Tile> from, Tile target, int rings);
   /// Straight and slowly to a point; stops at any tag. \returns false when something was in the way
   Task<bool> creep_to(Vec2 p_M_m);
   [[nodiscard]] std::vector<Vec2> way_to(Tile target) const;
@@ -80,6 +81,7 @@ class TileMover {
   Tile at_;
   Direction heading_{Direction::kEast};
   bool write_pending_{false};
+  bool write_in_flight_{false};
   int write_attempts_{0};
 };
 

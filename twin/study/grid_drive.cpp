@@ -43,8 +43,10 @@ class GridDrive {
   DriveTally run(robot::Explorer& explorer) {
     arrive();
     const int limit = kMovesPerTagMax * tally_.tags;
-    while (options_.to_the_end || tally_.tags_visited < tally_.tags) {
+    for (;;) {
+      // The explorer is told of the last tag too, so that it counts it.
       const auto move = explorer.next(map_, at_, heading_);
+      if (!options_.to_the_end && tally_.tags_visited == tally_.tags) break;
       if (!move) {
         tally_.ended = true;
         break;

@@ -1,0 +1,181 @@
+// SPDX-License-Identifier: MIT
+#include "world/tag_field.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <string>
+#include <utility>
+
+namespace sensotwin::world {
+namespace {
+
+/// SensoBot, Table 1: block 0, first and second byte, in the order of LandmarkKind. The outlet's second byte
+/// is a dash there and 0 here.
+constexpr std::array<std::array<std::uint8_t, 2>, 9> kLandmarkBytes = {{{0x01, 0x01},
+                                                                        {0x01, 0x00},
+                                                                        {0x81, 0x01},
+                                                                        {0x81, 0x00},
+                                                                        {0x02, 0x01},
+                                                                        {0x02, 0x00},
+                                                                        {0x03, 0x00},
+                                                                        {0x04, 0x01},
+                                                                        {0x04, 0x00}}};
+constexpr std::uint8_t kDynamicLandmark = 0xFF;  ///< the same table, last row
+
+/// Where a piece carries its tags, in its own frame: each leg, or the middle of each side; a circle has four.
+std::vector<Vec2> tag_places(const Furniture& piece) {
+  const Vec2 half_m = 0.5 * piece.size_m;
+  const double r_m = piece.radius_m;
+  switch (piece.shape) {
+    case FurnitureShape::kLegs:
+      return piece.points_m;
+    case FurnitureShape::kCircle:
+      return {{r_m, 0.0}, {0.0, r_m}, {-r_m, 0.0}, {0.0, -r_m}};
+    case FurnitureShape::kBox:
+      return {{half_m.x(), 0.0}, {0.0, half_m.y()}, {-half_m.x(), 0.0}, {0.0, -half_m.y()}};
+    case FurnitureShape::kPolygon:
+      break;
+  }
+  std::vector<Vec2> middles_m;
+  for (std::size_t i = 0; i < piece.points_m.size(); ++i) {
+    middles_m.emplace_back(0.5 * (piece.points_m[i] + piece.points_m[(i + 1) % piece.points_m.size()]));
+  }
+  return middles_m;
+}
+
+}  // namespace
+
+TagField::TagField(const WorldDescription& world, const robot::RandomStream& random)
+    : tile_m_(world.carpet.tile_m), origin_m_(world.carpet.origin_m) {
+  add_carpet(world.carpet, random);
+  add_landmarks(world.landmarks, random);
+  add_furniture(world.furniture, random);
+}
+
+void TagField::add(Tag tag, robot::RandomStream& random) {
+  tag.memory.uid = icode_sli_uid(random.next_u64());
+  tags_.push_back(std::move(tag));
+}
+
+void TagField::add_carpet(const Carpet& carpet, const robot::RandomStream& random) {
+  carpet_count_ = carpet.tiles.size();
+  if (carpet.tiles.empty()) {
+    return;
+  }
+  int column1 = column0_ = carpet.tiles.front().first;
+  int row1 = row0_ = carpet.tiles.front().second;
+  for (const auto& [column, row] : carpet.tiles) {
+    column0_ = std::min(column0_, column);
+    column1 = std::max(column1, column);
+    row0_ = std::min(row0_, row);
+    row1 = std::max(row1, row);
+  }
+  columns_ = column1 - column0_ + 1;
+  rows_ = row1 - row0_ + 1;
+  grid_.assign(static_cast<std::size_t>(columns_) * static_cast<std::size_t>(rows_), -1);
+  const robot::RandomStream tiles = random.fork("carpet");
+  for (const auto& [column, row] : carpet.tiles) {
+    robot::RandomStream own = tiles.fork(std::to_string(column) + ',' + std::to_string(row));
+    const Vec2 stray_m{own.normal(0.0, carpet.tag_offset_sigma_m),
+                       own.normal(0.0, carpet.tag_offset_sigma_m)};
+    stray_m_ = std::max(stray_m_, stray_m.norm());
+    grid_[static_cast<std::size_t>(row - row0_) * static_cast<std::size_t>(columns_) +
+          static_cast<std::size_t>(column - column0_)] = static_cast<std::int32_t>(tags_.size());
+    add({.place = TagPlace::kCarpet,
+         .column = column,
+         .row = row,
+         .at_m = carpet.origin_m + tile_m_ * Vec2{column + 0.5, row + 0.5} + stray_m},
+        own);
+  }
+  for (const auto& [column, row] : carpet.unreadable) {
+    if (const auto tag = of_tile(column, row)) {
+      tags_[*tag].readable = false;
+    }
+  }
+}
+
+void TagField::add_landmarks(const std::vector<Landmark>& landmarks, const robot::RandomStream& random) {
+  for (std::uint32_t i = 0; i < landmarks.size(); ++i) {
+    robot::RandomStream own = random.fork("landmark").fork(std::to_string(i));
+    Tag tag{.place = TagPlace::kLandmark, .owner = i, .at_m = landmarks[i].at_m};
+    const auto& bytes = kLandmarkBytes[static_cast<std::size_t>(landmarks[i].kind)];
+    tag.memory.blocks[0] = {bytes[0], bytes[1], 0, 0};
+    add(std::move(tag), own);
+  }
+}
+
+void TagField::add_furniture(const std::vector<Furniture>& furniture, const robot::RandomStream& random) {
+  for (std::uint32_t i = 0; i < furniture.size(); ++i) {
+    const Furniture& piece = furniture[i];
+    if (!piece.tag) {
+      continue;
+    }
+    robot::RandomStream own = random.fork("furniture").fork(piece.name).fork(std::to_string(i));
+    for (const Vec2& p_OT_m : tag_places(piece)) {
+      Tag tag{.place = TagPlace::kFurniture, .owner = i, .p_OT_m = p_OT_m, .at_m = piece.X_WF * p_OT_m};
+      tag.memory.blocks[0] = {kDynamicLandmark, 0, 0, 0};
+      tag.memory.blocks[1] = {piece.tag->category, piece.tag->length, piece.tag->width, piece.tag->color};
+      add(std::move(tag), own);
+    }
+  }
+}
+
+std::optional<TagIndex> TagField::of_tile(int column, int row) const {
+  const int c = column - column0_;
+  const int r = row - row0_;
+  if (c < 0 || r < 0 || c >= columns_ || r >= rows_) {
+    return std::nullopt;
+  }
+  const std::int32_t tag =
+      grid_[static_cast<std::size_t>(r) * static_cast<std::size_t>(columns_) + static_cast<std::size_t>(c)];
+  return tag < 0 ? std::nullopt : std::optional<TagIndex>{static_cast<TagIndex>(tag)};
+}
+
+std::optional<TagIndex> TagField::carpet_tag(const Vec2& antenna_m, double read_radius_m) const {
+  // A tag answers from outside its own tile when the radius is large: look at every tile whose middle is
+  // near.
+  const Vec2 in_tiles = (antenna_m - origin_m_) / tile_m_;
+  const double reach = (read_radius_m + stray_m_) / tile_m_;
+  const auto first = [&](double x) { return static_cast<int>(std::ceil(x - reach - 0.5)); };
+  const auto last = [&](double x) { return static_cast<int>(std::floor(x + reach - 0.5)); };
+  std::optional<TagIndex> answer;
+  double nearest_m2 = read_radius_m * read_radius_m;
+  for (int row = first(in_tiles.y()); row <= last(in_tiles.y()); ++row) {
+    for (int column = first(in_tiles.x()); column <= last(in_tiles.x()); ++column) {
+      const auto tag = of_tile(column, row);
+      if (!tag || !tags_[*tag].readable) {
+        continue;
+      }
+      const double d_m2 = (tags_[*tag].at_m - antenna_m).squaredNorm();
+      if (d_m2 <= nearest_m2) {
+        nearest_m2 = d_m2;
+        answer = tag;
+      }
+    }
+  }
+  return answer;
+}
+
+std::optional<TagIndex> TagField::standing_tag(const Vec2& antenna_m, double read_radius_m) const {
+  std::optional<TagIndex> answer;
+  double nearest_m2 = read_radius_m * read_radius_m;
+  for (std::size_t i = carpet_count_; i < tags_.size(); ++i) {
+    const double d_m2 = (tags_[i].at_m - antenna_m).squaredNorm();
+    if (d_m2 <= nearest_m2) {
+      nearest_m2 = d_m2;
+      answer = static_cast<TagIndex>(i);
+    }
+  }
+  return answer;
+}
+
+void TagField::move_furniture(std::uint32_t owner, const Pose2& X_WF) {
+  for (std::size_t i = carpet_count_; i < tags_.size(); ++i) {
+    if (tags_[i].place == TagPlace::kFurniture && tags_[i].owner == owner) {
+      tags_[i].at_m = X_WF * tags_[i].p_OT_m;
+    }
+  }
+}
+
+}  // namespace sensotwin::world

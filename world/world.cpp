@@ -1,0 +1,446 @@
+// SPDX-License-Identifier: MIT
+#include "world/world.hpp"
+
+#include <box2d/box2d.h>
+
+#include <algorithm>
+#include <bit>
+#include <cassert>
+#include <cmath>
+#include <utility>
+#include <vector>
+
+#include "robot/base/time.hpp"
+#include "world/battery.hpp"
+#include "world/body_sensors.hpp"
+#include "world/compass_field.hpp"
+#include "world/obstacles.hpp"
+#include "world/traction.hpp"
+
+namespace sensotwin::world {
+namespace {
+
+/// Box2D's own recommendation (manual, "Simulating the World"): 8 velocity and 3 position iterations. They
+/// cost only where something touches.
+constexpr int kVelocityIterations = 8;
+constexpr int kPositionIterations = 3;
+/// Chosen: the bumper's smooth plastic on painted wall and wood.
+constexpr float kShellFriction = 0.3F;
+constexpr double kGravity_mps2 = 9.81;
+constexpr double kTick_s = robot::to_s(robot::kTick);
+
+// Currents, chosen in the range that Create 2 owners report (about 0.2 A standing, 0.5 A driving, wheel
+// motors cut off near 1 A): what each drawer takes from the battery.
+constexpr double kElectronics_ma = 180.0;
+constexpr double kWheelIdle_ma = 60.0;
+constexpr double kWheelPerForce_maN = 110.0;
+constexpr double kMainBrush_ma = 450.0;
+constexpr double kSideBrush_ma = 100.0;
+constexpr double kVacuum_ma = 700.0;
+
+/// Below this nothing counts as driving. Chosen: under the slowest commanded speed.
+constexpr double kMoving_mps = 0.01;
+/// Above this the stasis castor counts as turning (packet 58 is 0 then). Chosen.
+constexpr double kTurning_rps = 0.3;
+
+b2FixtureDef solid(const b2Shape& shape) {
+  b2FixtureDef def;
+  def.shape = &shape;
+  def.friction = kShellFriction;
+  def.restitution = 0.0F;
+  return def;
+}
+
+}  // namespace
+
+struct World::State {
+  /// A piece that can be pushed: its body and where its outline is now.
+  struct Pushable {
+    std::uint32_t index;
+    b2Body* body;
+    Outline outline_F;
+    double reach_m;  ///< of its outline from its own origin
+  };
+
+  State(const WorldDescription& world, const RobotDescription& robot_description,
+        const PhysicsDescription& physics, const robot::RandomStream& random);
+
+  void add_fixed();
+  void add_pushable(std::uint32_t index, const Furniture& piece);
+  void add_robot(const RobotDescription& robot_description);
+  void step(const std::array<double, 2>& target_mps);
+  void feel_contacts();
+  void draw_current(const RoombaOutputs& outputs);
+  void follow_furniture();
+
+  [[nodiscard]] b2Vec2 to_box(const Vec2& p_W_m) const {
+    return {static_cast<float>(p_W_m.x() - origin_m.x()), static_cast<float>(p_W_m.y() - origin_m.y())};
+  }
+  [[nodiscard]] Pose2 pose(const b2Body& of) const {
+    return {origin_m + Vec2{of.GetPosition().x, of.GetPosition().y},
+            robot::wrap_angle(static_cast<double>(of.GetAngle()))};
+  }
+
+  RobotDescription robot;
+  int steps_per_tick;
+  ObstacleIndex fixed;
+  Vec2 origin_m;  ///< of Box2D's frame in W: the middle of the house, where single precision is finest
+  b2World box{b2Vec2{0.0F, 0.0F}};
+  b2Body* ground{nullptr};
+  b2Body* body{nullptr};
+  std::vector<Pushable> pushables;
+  std::vector<Outline> pushed_near;  ///< in W, of the pushables the light bumpers could see
+  std::vector<Pose2> X_WF;
+  Traction traction;
+  BodySensors sensors;
+  Battery battery;
+  TagField tags;
+  CompassField compass;
+  ContactCounts contacts;
+  BumpSwitches bumped;
+  std::array<double, 4> motor_ma{};
+  bool docked{false};
+  bool forward{false};
+};
+
+namespace {
+
+BodyMass robot_mass(const RoombaDescription& base) {
+  return {.mass_kg = base.mass_kg, .inertia_kgm2 = 0.5 * base.mass_kg * base.radius_m * base.radius_m};
+}
+
+Vec2 middle_m(const std::vector<Wall>& walls, const Vec2& otherwise_m) {
+  Vec2 low_m = otherwise_m;
+  Vec2 high_m = otherwise_m;
+  for (const Wall& wall : walls) {
+    for (const Vec2& p_m : wall.points_m) {
+      low_m = low_m.cwiseMin(p_m);
+      high_m = high_m.cwiseMax(p_m);
+    }
+  }
+  return 0.5 * (low_m + high_m);
+}
+
+}  // namespace
+
+World::State::State(const WorldDescription& world, const RobotDescription& robot_description,
+                    const PhysicsDescription& physics, const robot::RandomStream& random)
+    : robot(robot_description),
+      steps_per_tick(physics.steps_per_tick),
+      fixed(fixed_outline(world, robot.base.height_m)),
+      // From the walls alone, so that a piece added in a corner does not shift the frame and with it the
+      // rounding.
+      origin_m(middle_m(world.walls, robot.X_WR_start.p_m)),
+      traction(robot.base, world.floor, robot_mass(robot.base), kTick_s / physics.steps_per_tick,
+               random.fork("traction")),
+      sensors(world, robot.base),
+      battery(robot.base),
+      tags(world, random.fork("tags")),
+      compass(world, robot.compass, random.fork("compass")) {
+  assert(steps_per_tick > 0);
+  box.SetContinuousPhysics(
+      false);  // a step moves the robot at most 2.5 mm: nothing is thin enough to jump over
+  b2BodyDef def;
+  ground = box.CreateBody(&def);
+  add_fixed();
+  for (std::uint32_t i = 0; i < world.furniture.size(); ++i) {
+    X_WF.push_back(world.furniture[i].X_WF);
+    if (world.furniture[i].pushable) {
+      add_pushable(i, world.furniture[i]);
+    }
+  }
+  add_robot(robot_description);
+}
+
+void World::State::add_fixed() {
+  for (const Segment& s : fixed.outline().segments) {
+    if ((s.a_m - s.b_m).squaredNorm() == 0.0) {
+      continue;
+    }
+    b2EdgeShape edge;
+    edge.SetTwoSided(to_box(s.a_m), to_box(s.b_m));
+    edge.m_radius =
+        0.0F;  // Box2D's 1 cm skin serves continuous collision, which is off; walls are where they are
+    const b2FixtureDef def = solid(edge);
+    ground->CreateFixture(&def);
+  }
+  for (const Disc& d : fixed.outline().discs) {
+    b2CircleShape circle;
+    circle.m_p = to_box(d.middle_m);
+    circle.m_radius = static_cast<float>(d.radius_m);
+    const b2FixtureDef def = solid(circle);
+    ground->CreateFixture(&def);
+  }
+}
+
+void World::State::add_pushable(std::uint32_t index, const Furniture& piece) {
+  b2BodyDef def;
+  def.type = b2_dynamicBody;
+  def.position = to_box(piece.X_WF.p_m);
+  def.angle = static_cast<float>(piece.X_WF.yaw_rad);
+  b2Body* made = box.CreateBody(&def);
+  // A piece the robot passes beneath still has mass, but nothing that the robot's height could meet.
+  const Outline outline = stands_in_the_way(piece, robot.base.height_m) ? outline_F(piece) : Outline{};
+  double reach_m = 0.0;
+  for (const Disc& d : outline.discs) {
+    b2CircleShape circle;
+    circle.m_p.Set(static_cast<float>(d.middle_m.x()), static_cast<float>(d.middle_m.y()));
+    circle.m_radius = static_cast<float>(d.radius_m);
+    b2FixtureDef fixture = solid(circle);
+    fixture.density = 1.0F;
+    made->CreateFixture(&fixture);
+    reach_m = std::max(reach_m, d.middle_m.norm() + d.radius_m);
+  }
+  // Box2D's polygons have at most eight corners: a fan of pieces around the first one.
+  const auto& edges = outline.segments;
+  for (std::size_t first = 1; first + 1 < edges.size(); first += b2_maxPolygonVertices - 2) {
+    std::vector<b2Vec2> corners{{static_cast<float>(edges[0].a_m.x()), static_cast<float>(edges[0].a_m.y())}};
+    const std::size_t end = std::min(edges.size(), first + b2_maxPolygonVertices - 1);
+    for (std::size_t i = first; i < end; ++i) {
+      corners.emplace_back(static_cast<float>(edges[i].a_m.x()), static_cast<float>(edges[i].a_m.y()));
+      reach_m = std::max(reach_m, edges[i].a_m.norm());
+    }
+    reach_m = std::max(reach_m, edges[0].a_m.norm());
+    b2PolygonShape polygon;
+    polygon.Set(corners.data(), static_cast<int32>(corners.size()));
+    polygon.m_radius = 0.0F;
+    b2FixtureDef fixture = solid(polygon);
+    fixture.density = 1.0F;
+    made->CreateFixture(&fixture);
+  }
+  b2MassData mass;
+  made->GetMassData(&mass);
+  if (mass.mass > 0.0F) {
+    const float scale = static_cast<float>(piece.mass_kg) / mass.mass;
+    mass.I *= scale;
+    mass.mass *= scale;
+    made->SetMassData(&mass);
+  }
+  // Dry friction with the floor as a joint, so that Box2D solves it together with the push: a piece stands
+  // until the push exceeds it. Its moment acts on 2/3 of the reach, as for an evenly pressed disc.
+  const double force_N = piece.friction * piece.mass_kg * kGravity_mps2;
+  b2FrictionJointDef joint;
+  joint.Initialize(ground, made, made->GetWorldCenter());
+  joint.maxForce = static_cast<float>(force_N);
+  joint.maxTorque = static_cast<float>(force_N * reach_m * 2.0 / 3.0);
+  joint.collideConnected = true;
+  box.CreateJoint(&joint);
+  pushables.push_back({index, made, outline, reach_m});
+}
+
+void World::State::add_robot(const RobotDescription& robot_description) {
+  const RoombaDescription& base = robot_description.base;
+  b2BodyDef def;
+  def.type = b2_dynamicBody;
+  def.allowSleep = false;
+  def.position = to_box(robot_description.X_WR_start.p_m);
+  def.angle = static_cast<float>(robot_description.X_WR_start.yaw_rad);
+  body = box.CreateBody(&def);
+  b2CircleShape shell;
+  shell.m_radius = static_cast<float>(base.radius_m);
+  b2FixtureDef fixture = solid(shell);
+  fixture.density = static_cast<float>(base.mass_kg / (robot::kPi * base.radius_m * base.radius_m));
+  body->CreateFixture(&fixture);
+}
+
+void World::State::step(const std::array<double, 2>& target_mps) {
+  traction.turn_wheels(target_mps);
+  const b2Rot& turn = body->GetTransform().q;
+  const double c = turn.c;
+  const double s = turn.s;
+  const b2Vec2& v_W = body->GetLinearVelocity();
+  const Footing footing{.on_floor = sensors.wheels_on_floor(pose(*body)),
+                        .yaw_rad = static_cast<double>(body->GetAngle())};
+  const BodyVelocity v = traction.apply({.forward_mps = c * v_W.x + s * v_W.y,
+                                         .left_mps = c * v_W.y - s * v_W.x,
+                                         .turn_rps = static_cast<double>(body->GetAngularVelocity())},
+                                        footing);
+  body->SetLinearVelocity({static_cast<float>(c * v.forward_mps - s * v.left_mps),
+                           static_cast<float>(s * v.forward_mps + c * v.left_mps)});
+  body->SetAngularVelocity(static_cast<float>(v.turn_rps));
+  box.Step(static_cast<float>(kTick_s / steps_per_tick), kVelocityIterations, kPositionIterations);
+  feel_contacts();
+}
+
+void World::State::feel_contacts() {
+  bool wall = false;
+  bool pushable = false;
+  for (const b2ContactEdge* edge = body->GetContactList(); edge != nullptr; edge = edge->next) {
+    if (!edge->contact->IsTouching()) {
+      continue;
+    }
+    (edge->other == ground ? wall : pushable) = true;
+    b2WorldManifold manifold;
+    edge->contact->GetWorldManifold(&manifold);
+    const b2Vec2 touch = body->GetLocalPoint(manifold.points[0]);
+    const BumpSwitches pressed =
+        switches_pressed(std::atan2(static_cast<double>(touch.y), static_cast<double>(touch.x)));
+    bumped.left = bumped.left || pressed.left;
+    bumped.right = bumped.right || pressed.right;
+  }
+  contacts.wall += wall && !contacts.touching_wall ? 1 : 0;
+  contacts.push += pushable && !contacts.touching_pushable ? 1 : 0;
+  contacts.touching_wall = wall;
+  contacts.touching_pushable = pushable;
+}
+
+void World::State::draw_current(const RoombaOutputs& outputs) {
+  motor_ma = {};
+  double draw_ma = 0.0;
+  if (!battery.empty()) {
+    for (std::size_t i = 0; i < 2; ++i) {
+      const bool turns = std::abs(traction.wheel_mps()[i]) > 0.0;
+      motor_ma[i] = turns ? kWheelIdle_ma + kWheelPerForce_maN * std::abs(traction.force_N()[i]) : 0.0;
+    }
+    motor_ma[2] = kMainBrush_ma * std::abs(outputs.main_brush);
+    motor_ma[3] = kSideBrush_ma * std::abs(outputs.side_brush);
+    draw_ma =
+        kElectronics_ma + motor_ma[0] + motor_ma[1] + motor_ma[2] + motor_ma[3] + kVacuum_ma * outputs.vacuum;
+  }
+  battery.pass(kTick_s, draw_ma, docked && outputs.charging_allowed);
+}
+
+void World::State::follow_furniture() {
+  pushed_near.clear();
+  const Vec2 at_m = pose(*body).p_m;
+  for (const Pushable& piece : pushables) {
+    if (piece.body->IsAwake()) {
+      X_WF[piece.index] = pose(*piece.body);
+      tags.move_furniture(piece.index, X_WF[piece.index]);
+    }
+    if ((X_WF[piece.index].p_m - at_m).norm() < piece.reach_m + 2.0 * robot.base.radius_m + 0.1) {
+      pushed_near.push_back(moved(piece.outline_F, X_WF[piece.index]));
+    }
+  }
+}
+
+World::World(const WorldDescription& world, const RobotDescription& robot, const PhysicsDescription& physics,
+             const robot::RandomStream& random)
+    : state_(std::make_unique<State>(world, robot, physics, random)) {
+  state_->follow_furniture();
+}
+World::~World() = default;
+World::World(World&&) noexcept = default;
+World& World::operator=(World&&) noexcept = default;
+
+void World::tick(const RoombaOutputs& outputs) {
+  State& s = *state_;
+  const double drive = s.battery.empty() ? 0.0 : 1.0;
+  const double limit_mps = s.robot.base.speed_max_mps;
+  const std::array<double, 2> target_mps = {
+      drive * std::clamp(outputs.wheel_left_mps, -limit_mps, limit_mps),
+      drive * std::clamp(outputs.wheel_right_mps, -limit_mps, limit_mps)};
+  s.bumped = {};
+  for (int i = 0; i < s.steps_per_tick; ++i) {
+    s.step(target_mps);
+  }
+  // Single precision is finest near zero: an angle that has grown past a few turns is brought back.
+  if (std::abs(s.body->GetAngle()) > 4.0F * b2_pi) {
+    s.body->SetTransform(s.body->GetPosition(),
+                         static_cast<float>(robot::wrap_angle(static_cast<double>(s.body->GetAngle()))));
+  }
+  if (!s.pushables.empty()) {
+    s.follow_furniture();
+  }
+  s.docked = s.sensors.docked(X_WR());
+  s.draw_current(outputs);
+  const double forward_mps =
+      static_cast<double>(b2Dot(s.body->GetLinearVelocity(), s.body->GetWorldVector(b2Vec2{1.0F, 0.0F})));
+  s.forward = forward_mps > kMoving_mps && std::abs(s.body->GetAngularVelocity()) < kTurning_rps;
+}
+
+RoombaInputs World::roomba_inputs() const {
+  const State& s = *state_;
+  RoombaInputs in;
+  in.bump_left = s.bumped.left;
+  in.bump_right = s.bumped.right;
+  s.sensors.read(s.fixed, s.pushed_near, X_WR(), in);
+  in.wheel_angle_left_rad = s.traction.wheel_angle_rad()[0];
+  in.wheel_angle_right_rad = s.traction.wheel_angle_rad()[1];
+  in.forward_progress = s.forward;
+  std::transform(s.motor_ma.begin(), s.motor_ma.end(), in.motor_ma.begin(),
+                 [](double ma) { return static_cast<std::int16_t>(std::lround(ma)); });
+  in.battery_mv = static_cast<std::uint16_t>(std::lround(s.battery.voltage_mv()));
+  in.battery_ma = static_cast<std::int16_t>(std::lround(s.battery.current_ma()));
+  in.battery_c = 25;  // chosen: a battery in a warm room; its heating is left out
+  in.battery_charge_mah = s.battery.charge_mah();
+  in.battery_capacity_mah = s.battery.capacity_mah();
+  in.on_home_base = s.docked;
+  in.power = !s.battery.empty();
+  return in;
+}
+
+Pose2 World::X_WR() const {
+  return state_->pose(*state_->body);
+}
+std::span<const Pose2> World::X_WF() const {
+  return state_->X_WF;
+}
+const ContactCounts& World::contacts() const {
+  return state_->contacts;
+}
+std::span<const Tag> World::tags() const {
+  return state_->tags.tags();
+}
+TagMemory& World::tag_memory(TagIndex tag) {
+  assert(tag < tags().size());
+  return state_->tags.memory(tag);
+}
+std::optional<TagIndex> World::floor_tag() const {
+  const ReaderDescription& reader = state_->robot.floor_reader;
+  return state_->tags.carpet_tag(X_WR() * reader.at_m, reader.read_radius_m);
+}
+std::optional<TagIndex> World::forward_tag() const {
+  const ReaderDescription& reader = state_->robot.forward_reader;
+  return state_->tags.standing_tag(X_WR() * reader.at_m, reader.read_radius_m);
+}
+double World::compass_heading_rad() {
+  return state_->compass.read_heading_rad(X_WR());
+}
+
+double World::energy_j() const {
+  const auto kinetic_j = [](const b2Body& body) {
+    const double turn = static_cast<double>(body.GetAngularVelocity());
+    const double inertia =
+        static_cast<double>(body.GetInertia() - body.GetMass() * body.GetLocalCenter().LengthSquared());
+    return 0.5 * static_cast<double>(body.GetMass() * body.GetLinearVelocity().LengthSquared()) +
+           0.5 * inertia * turn * turn;
+  };
+  double sum_j = kinetic_j(*state_->body);
+  for (const State::Pushable& piece : state_->pushables) {
+    sum_j += kinetic_j(*piece.body);
+  }
+  return sum_j;
+}
+double World::work_j() const {
+  return state_->traction.work_J();
+}
+
+std::uint64_t World::state_hash() const {
+  std::uint64_t hash = 0xcbf29ce484222325U;
+  const auto take = [&hash](double value) {
+    const auto bits = std::bit_cast<std::uint64_t>(value);
+    for (unsigned shift = 0; shift < 64; shift += 8) {
+      hash = (hash ^ ((bits >> shift) & 0xFFU)) * 0x100000001b3U;
+    }
+  };
+  const auto take_body = [&](const b2Body& body) {
+    for (const float value :
+         {body.GetPosition().x, body.GetPosition().y, body.GetAngle(), body.GetLinearVelocity().x,
+          body.GetLinearVelocity().y, body.GetAngularVelocity()}) {
+      take(static_cast<double>(value));
+    }
+  };
+  const State& s = *state_;
+  take_body(*s.body);
+  for (const State::Pushable& piece : s.pushables) {
+    take_body(*piece.body);
+  }
+  for (const double value : {s.traction.wheel_angle_rad()[0], s.traction.wheel_angle_rad()[1],
+                             s.traction.wheel_mps()[0], s.traction.wheel_mps()[1], s.battery.charge_mah()}) {
+    take(value);
+  }
+  return hash;
+}
+
+}  // namespace sensotwin::world

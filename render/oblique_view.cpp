@@ -210,7 +210,10 @@ void add_ceiling_tags(Scene3d& scene, const SceneView& view) {
     low = low.cwiseMin(p);
     high = high.cwiseMax(p);
   };
-  for (const Vec2& p : outline_of(view)) {
+  const Extent extent = extent_of(view);
+  const std::vector<Vec2> outline = outline_of(view);
+  // Fewer than three corners span nothing: a metre around them does.
+  for (const Vec2& p : outline.size() < 3 ? square(extent.center_m(), 1.0, 0.0) : outline) {
     add(p, 0.0);
   }
   if (const WallView* room = room_of(view)) {

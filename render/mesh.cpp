@@ -116,10 +116,10 @@ void Mesh::stroke(std::span<const Vec2> points, bool closed, double width_m, Rgb
 
 /// Twelve corners: a tenth of a pixel from round on the widest line, which is 6 pixels.
 void Mesh::joint(const Vec2& p, double width_m, Rgba color, double z_m) {
-  static const Polygon kRim = circle_polygon({{0.0, 0.0}, 1.0}, 0.035);
+  static const Polygon rim = circle_polygon({{0.0, 0.0}, 1.0}, 0.035);
   const double r = width_m / 2.0;
-  for (std::size_t i = 0; i < kRim.size(); ++i) {
-    triangle(at(p, z_m), at(p + r * kRim[i], z_m), at(p + r * kRim[(i + 1) % kRim.size()], z_m), color);
+  for (std::size_t i = 0; i < rim.size(); ++i) {
+    triangle(at(p, z_m), at(p + r * rim[i], z_m), at(p + r * rim[(i + 1) % rim.size()], z_m), color);
   }
 }
 

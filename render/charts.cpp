@@ -207,7 +207,7 @@ void draw_chart_legend(Canvas& canvas, const LineChart& chart, const Chart& plac
 
 [[nodiscard]] Chart paint(Canvas& canvas, const LineChart& chart) {
   const double u = chart_unit_px(chart.frame);
-  const Chart placed = ranged(chart);
+  Chart placed = ranged(chart);
   draw_chart_heading(canvas, chart.frame);
   draw_axis_labels(canvas, chart.frame, placed.plot);
   draw_axes(canvas, chart.frame, placed.plot, placed.x, placed.y);

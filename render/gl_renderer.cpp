@@ -29,13 +29,15 @@ constexpr int kStripRows = 128;
 
 /// Mean of each block of kSupersampling^2 pixels. GL's rows go upwards, ours downwards.
 void reduce_strip(std::span<const std::uint8_t> samples, int strip_rows, int first_row, Image& image) {
-  const auto wide = static_cast<std::size_t>(image.width_px() * kSupersampling);
+  constexpr std::size_t kSide = kSupersampling;
+  const std::size_t wide = static_cast<std::size_t>(image.width_px()) * kSide;
   for (int y = 0; y < strip_rows; ++y) {
     for (int x = 0; x < image.width_px(); ++x) {
       std::array<int, 3> sum{};
       for (int sy = 0; sy < kSupersampling; ++sy) {
-        const auto gl_row = static_cast<std::size_t>((strip_rows - 1 - y) * kSupersampling + sy);
-        const std::uint8_t* p = &samples[(gl_row * wide + static_cast<std::size_t>(x * kSupersampling)) * 4u];
+        const std::size_t gl_row =
+            static_cast<std::size_t>(strip_rows - 1 - y) * kSide + static_cast<std::size_t>(sy);
+        const std::uint8_t* p = &samples[(gl_row * wide + static_cast<std::size_t>(x) * kSide) * 4u];
         for (int sx = 0; sx < kSupersampling; ++sx, p += 4) {
           sum[0] += p[0];
           sum[1] += p[1];

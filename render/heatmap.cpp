@@ -48,7 +48,8 @@ void draw_cells(Canvas& canvas, const HeatmapChart& chart, const RectPx& plot, c
   const double height = plot.height / static_cast<double>(chart.rows.size());
   const double gap = std::min(2.0 * u, 0.1 * std::min(width, height));
   for (std::size_t i = 0; i < chart.values.size(); ++i) {
-    const auto row = static_cast<double>(i / chart.columns.size());
+    const std::size_t rows_below = i / chart.columns.size();
+    const auto row = static_cast<double>(rows_below);
     const auto column = static_cast<double>(i % chart.columns.size());
     const RectPx cell{plot.x + column * width + gap / 2.0, plot.bottom() - (row + 1.0) * height + gap / 2.0,
                       width - gap, height - gap};

@@ -219,7 +219,8 @@ Rendered<Picture> draw_progress_sheet(OffscreenContext& context, const ProgressS
   Picture picture;
   for (std::size_t i = 0; i < sheet.frames.size(); ++i) {
     const auto column = static_cast<double>(i % static_cast<std::size_t>(grid.columns));
-    const auto row = static_cast<double>(i / static_cast<std::size_t>(grid.columns));
+    const std::size_t rows_above = i / static_cast<std::size_t>(grid.columns);
+    const auto row = static_cast<double>(rows_above);
     const Vec2 corner{std::round(kMargin * u + column * (grid.cell_width_px + kGap * u)),
                       std::round(kTop * u + row * grid.cell_height_px)};
     draw_caption(canvas, sheet.frames[i], corner + Vec2{0.0, 20.0 * u}, u);

@@ -40,6 +40,7 @@ class Mesh {
 
  private:
   void segment(const Vec2& a, const Vec2& b, double width_m, Rgba color, double z_m);
+  void joint(const Vec2& p, double width_m, Rgba color, double z_m);
   std::vector<Vertex> vertices_;
 };
 

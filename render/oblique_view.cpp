@@ -184,9 +184,9 @@ void add_ceiling_tags(Scene3d& scene, const SceneView& view) {
     scene.ground.ring({view.start->p_m, 11.0 * scene.line_m()}, 3.5 * scene.line_m(), palette::kBlue);
   }
   if (view.home_base) {
-    const Pose2& X = *view.home_base;
-    const Polygon plate{X * Vec2{0.06, -0.08}, X * Vec2{0.06, 0.08}, X * Vec2{-0.07, 0.11},
-                        X * Vec2{-0.07, -0.11}};
+    const Pose2& X_WH = *view.home_base;
+    const Polygon plate{X_WH * Vec2{0.06, -0.08}, X_WH * Vec2{0.06, 0.08}, X_WH * Vec2{-0.07, 0.11},
+                        X_WH * Vec2{-0.07, -0.11}};
     scene.solid.prism(plate, 0.0, 0.09, palette::kGreen);
   }
   for (const LandmarkView& mark : view.landmarks) {
@@ -210,7 +210,10 @@ void add_ceiling_tags(Scene3d& scene, const SceneView& view) {
     low = low.cwiseMin(p);
     high = high.cwiseMax(p);
   };
-  for (const Vec2& p : outline_of(view)) {
+  const Extent extent = extent_of(view);
+  const std::vector<Vec2> outline = outline_of(view);
+  // Fewer than three corners span nothing: a metre around them does.
+  for (const Vec2& p : outline.size() < 3 ? square(extent.center_m(), 1.0, 0.0) : outline) {
     add(p, 0.0);
   }
   if (const WallView* room = room_of(view)) {
@@ -290,7 +293,7 @@ Rendered<Picture> draw_oblique_view(OffscreenContext& context, const SceneView& 
   Drawing drawing;
   drawing.width_px = sheet.width_px;
   drawing.height_px = sheet.height_px;
-  drawing.clip_from_W = picture.pixel_from_W.clip_from_W(sheet.width_px, sheet.height_px);
+  drawing.clip_from_W = picture.pixel_from_W.clip_from_world(sheet.width_px, sheet.height_px);
   drawing.layers.push_back({scene.ground.take(), false, false});
   drawing.layers.push_back({scene.solid.take(), true, true});
   drawing.layers.push_back({scene.glass.take(), true, false});

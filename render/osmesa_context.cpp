@@ -72,7 +72,7 @@ class OsMesaContext final : public OffscreenContext {
   static constexpr int kBufferSide = 16;
   OsMesa osmesa_;
   OsMesaHandle handle_;
-  std::array<std::uint8_t, kBufferSide * kBufferSide * 4> buffer_{};
+  std::array<std::uint8_t, std::size_t{4} * kBufferSide * kBufferSide> buffer_{};
   std::unique_ptr<GlRenderer> gl_;
 };
 

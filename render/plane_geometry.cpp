@@ -119,9 +119,9 @@ Polygon circle_polygon(const CircleView& circle, double sagitta) {
 }
 
 Polygon square(const Vec2& center, double side, double yaw_rad) {
-  const Pose2 X{center, yaw_rad};
+  const Pose2 X_WS{center, yaw_rad};
   const double h = side / 2.0;
-  return {X * Vec2{-h, -h}, X * Vec2{h, -h}, X * Vec2{h, h}, X * Vec2{-h, h}};
+  return {X_WS * Vec2{-h, -h}, X_WS * Vec2{h, -h}, X_WS * Vec2{h, h}, X_WS * Vec2{-h, h}};
 }
 
 Polygon footprint(const FurnitureView& piece) {

@@ -32,7 +32,7 @@ double Projection::px_per_m(const Vec3& p_W) const {
   return pure.norm() / w;
 }
 
-Eigen::Matrix4d Projection::clip_from_W(int width_px, int height_px) const {
+Eigen::Matrix4d Projection::clip_from_world(int width_px, int height_px) const {
   Eigen::Matrix4d clip;
   clip.row(0) = 2.0 / width_px * pixel_from_W_.row(0) - pixel_from_W_.row(2);
   clip.row(1) = pixel_from_W_.row(2) - 2.0 / height_px * pixel_from_W_.row(1);

@@ -28,7 +28,7 @@ class Projection {
   /// Pixels per metre for lengths across the line of sight at that point.
   [[nodiscard]] double px_per_m(const Vec3& p_W) const;
   /// What OpenGL wants: clip coordinates from W, for a picture of that size.
-  [[nodiscard]] Eigen::Matrix4d clip_from_W(int width_px, int height_px) const;
+  [[nodiscard]] Eigen::Matrix4d clip_from_world(int width_px, int height_px) const;
   /// The same view, scaled about the picture's origin and then moved.
   [[nodiscard]] Projection scaled_and_moved(double scale, const Vec2& by_px) const;
 

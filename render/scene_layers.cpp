@@ -14,14 +14,14 @@ constexpr Rgba kCliff = rgb(0x5B4A68);
 
 constexpr double kHalf = 0.5;
 // Kept off the edges: furniture covers most of a blocked tile, and clipped crosses around it look like dirt.
-const std::array kBlockedMarks{TileMark{{-0.2, -0.2}, {0.2, 0.2}, kHatch, 0.04},
+const std::array blocked_marks{TileMark{{-0.2, -0.2}, {0.2, 0.2}, kHatch, 0.04},
                                TileMark{{-0.2, 0.2}, {0.2, -0.2}, kHatch, 0.04}};
-const std::array kUnreachableMarks{TileMark{{-kHalf, 0.0}, {0.0, kHalf}, kUnreachableMark, 0.04},
+const std::array unreachable_marks{TileMark{{-kHalf, 0.0}, {0.0, kHalf}, kUnreachableMark, 0.04},
                                    TileMark{{-kHalf, -kHalf}, {kHalf, kHalf}, kUnreachableMark, 0.04},
                                    TileMark{{0.0, -kHalf}, {kHalf, 0.0}, kUnreachableMark, 0.04}};
-const std::array kMissedMarks{TileMark{{-0.28, -0.28}, {0.28, 0.28}, palette::kVermilion, 0.11},
+const std::array missed_marks{TileMark{{-0.28, -0.28}, {0.28, 0.28}, palette::kVermilion, 0.11},
                               TileMark{{-0.28, 0.28}, {0.28, -0.28}, palette::kVermilion, 0.11}};
-const std::array kWrongMarks{TileMark{{0.0, 0.32}, {0.0, -0.08}, palette::kPurple, 0.12},
+const std::array wrong_marks{TileMark{{0.0, 0.32}, {0.0, -0.08}, palette::kPurple, 0.12},
                              TileMark{{0.0, -0.29}, {0.0, -0.31}, palette::kPurple, 0.13}};
 
 void furniture(Mesh& mesh, const FurnitureView& piece, double px_per_m, double line_px) {
@@ -83,13 +83,13 @@ void robot_disc(Mesh& mesh, const RobotView& robot, double line_m) {
 std::span<const TileMark> marks_of(TileState state) {
   switch (state) {
     case TileState::kBlocked:
-      return kBlockedMarks;
+      return blocked_marks;
     case TileState::kUnreachable:
-      return kUnreachableMarks;
+      return unreachable_marks;
     case TileState::kMissed:
-      return kMissedMarks;
+      return missed_marks;
     case TileState::kWrong:
-      return kWrongMarks;
+      return wrong_marks;
     default:
       return {};
   }
@@ -188,6 +188,7 @@ void trajectory(Mesh& mesh, const SceneView& view, double px_per_m, double line_
   }
   // A dark casing below all of it keeps pale colours visible on white tiles and blue ones on dark tiles.
   std::vector<Vec2> whole;
+  whole.reserve(path.size());
   for (const TimedPoint& point : path) {
     whole.push_back(point.p_m);
   }

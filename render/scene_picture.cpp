@@ -102,24 +102,24 @@ void draw_tile_labels(Canvas& canvas, const SceneView& view, const Projection& X
 }
 
 void draw_names(Canvas& canvas, const SceneView& view, const Picture& picture, double u) {
-  const Projection& X = picture.pixel_from_W;
-  draw_tile_labels(canvas, view, X, X.px_per_m(Vec3::Zero()), u);
+  const Projection& pixel_from_W = picture.pixel_from_W;
+  draw_tile_labels(canvas, view, pixel_from_W, pixel_from_W.px_per_m(Vec3::Zero()), u);
   // Names may reach a little over the plot's edge: there is white paper.
   const RectPx plot = picture.plot;
   Labels labels({plot.x - 30.0 * u, plot.y - 24.0 * u, plot.width + 60.0 * u, plot.height + 40.0 * u});
   if (view.robot) {
-    const double r = view.robot->radius_m * X.px_per_m(Vec3::Zero());
-    const Vec2 c = X.pixel(view.robot->X_WR.p_m);
+    const double r = view.robot->radius_m * pixel_from_W.px_per_m(Vec3::Zero());
+    const Vec2 c = pixel_from_W.pixel(view.robot->X_WR.p_m);
     labels.keep_clear({c.x() - r, c.y() - r, 2.0 * r, 2.0 * r});
   }
   for (const FurnitureView& piece : view.furniture) {
-    draw_furniture_name(canvas, labels, piece, X, u);
+    draw_furniture_name(canvas, labels, piece, pixel_from_W, u);
   }
   for (const LandmarkView& mark : view.landmarks) {
-    draw_point_label(canvas, labels, X.pixel(mark.at_m), mark.label, u);
+    draw_point_label(canvas, labels, pixel_from_W.pixel(mark.at_m), mark.label, u);
   }
   for (const CeilingTagView& tag : view.ceiling_tags) {
-    draw_point_label(canvas, labels, X.pixel(tag.at_m), tag.label, u);
+    draw_point_label(canvas, labels, pixel_from_W.pixel(tag.at_m), tag.label, u);
   }
 }
 
@@ -138,7 +138,7 @@ Rendered<Picture> draw_plan(OffscreenContext& context, const SceneView& view, co
   Drawing drawing;
   drawing.width_px = width_px;
   drawing.height_px = height_px;
-  drawing.clip_from_W = picture.pixel_from_W.clip_from_W(width_px, height_px);
+  drawing.clip_from_W = picture.pixel_from_W.clip_from_world(width_px, height_px);
   drawing.layers.push_back({top_view_triangles(view, px_per_m, line_px, tiles), false, false});
   auto image = context.draw(drawing);
   if (!image) {
@@ -167,7 +167,7 @@ Rendered<Picture> draw_top_view(OffscreenContext& context, const SceneView& view
   Drawing drawing;
   drawing.width_px = sheet.width_px;
   drawing.height_px = sheet.height_px;
-  drawing.clip_from_W = picture.pixel_from_W.clip_from_W(sheet.width_px, sheet.height_px);
+  drawing.clip_from_W = picture.pixel_from_W.clip_from_world(sheet.width_px, sheet.height_px);
   drawing.layers.push_back({top_view_triangles(view, px_per_m, u, options.tiles), false, false});
   auto image = context.draw(drawing);
   if (!image) {

@@ -77,7 +77,7 @@ TEST(Ticks, AreRoundNumbersInsideTheRange) {
   const auto ticks = linear_ticks(0.0, 74.3, 8);
   ASSERT_EQ(ticks.size(), 8u);
   EXPECT_EQ(ticks.back().label, "70");
-  EXPECT_EQ(linear_ticks(-0.3, 0.31, 6)[3].label, "0.0");
+  EXPECT_EQ(linear_ticks(-0.3, 0.31, 7)[3].label, "0.0");
   EXPECT_EQ(linear_ticks(0.0, 1.0, 4)[1].label, "0.25");
 }
 

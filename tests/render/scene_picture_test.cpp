@@ -61,7 +61,8 @@ TEST_F(TopView, ColoursThePathByTime) {
   for (int i = 0; i <= 400; ++i) {
     view.trajectory.push_back({{i * 0.01, 0.0}, i * 1.0});
   }
-  const Picture picture = drawn(view);
+  // At full size, where the line is wider than its anti-aliased rim.
+  const Picture picture = drawn(view, {});
   // A step of a hundredth of the scale is below 12 of 255.
   EXPECT_THAT(at(picture, {0.2, 0.0}), ColorNear(time_color(0.05), 12));
   EXPECT_THAT(at(picture, {2.0, 0.0}), ColorNear(time_color(0.5), 12));

@@ -34,10 +34,10 @@ std::string in_words(Count count, const std::string& of_what) {
 
 /// Why a text that looks like a number is none; empty when it does not look like one.
 std::string number_trap(const std::string& text) {
-  static const std::vector<std::string> kNotFinite{".nan", ".NaN",  ".NAN",     "nan",      "NaN",
+  static const std::vector<std::string> not_finite{".nan", ".NaN",  ".NAN",     "nan",      "NaN",
                                                    ".inf", "-.inf", "+.inf",    ".Inf",     "-.Inf",
                                                    "inf",  "-inf",  "Infinity", "-Infinity"};
-  if (std::find(kNotFinite.begin(), kNotFinite.end(), text) != kNotFinite.end()) {
+  if (std::find(not_finite.begin(), not_finite.end(), text) != not_finite.end()) {
     return " (it must be finite)";
   }
   if (text.size() > 1 && text.find_first_not_of("0123456789") == std::string::npos) {

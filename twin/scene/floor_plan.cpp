@@ -236,6 +236,7 @@ std::optional<robot::Pose2> find_start(const Scene& scene) {
     return std::nullopt;
   }
   std::vector<Vec2> middles;
+  middles.reserve(largest.size());
   for (const Tile& tile : largest) {
     middles.push_back(middle_m(carpet, tile));
   }

@@ -26,6 +26,7 @@ std::vector<Problem> sorted(std::vector<Problem> problems) {
   };
   using Keyed = std::pair<std::tuple<std::size_t, int, int>, Problem>;
   std::vector<Keyed> keyed;
+  keyed.reserve(problems.size());
   for (Problem& problem : problems) {
     keyed.emplace_back(std::tuple{rank(problem), problem.place.line, problem.place.column},
                        std::move(problem));

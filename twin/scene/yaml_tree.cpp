@@ -139,22 +139,19 @@ const YamlEntry* YamlNode::find(const std::string& key) const {
 
 std::string YamlNode::describe() const {
   constexpr std::size_t kShown = 40;
-  const std::string shown = text.size() > kShown ? text.substr(0, kShown) + "..." : text;
+  std::string shown = text.size() > kShown ? text.substr(0, kShown) + "..." : text;
   switch (kind) {
     case YamlKind::kNothing:
       return "empty";
-    case YamlKind::kFlag:
-      return shown;
-    case YamlKind::kNumber:
-      return shown;
     case YamlKind::kText:
       return quoted ? fmt::format("the text \"{}\"", shown) : fmt::format("'{}'", shown);
     case YamlKind::kList:
       return "a list";
     case YamlKind::kSection:
-      break;
+      return "a section";
+    default:
+      return shown;
   }
-  return "a section";
 }
 
 YamlNode parse_yaml(const std::string& text, const std::string& source, std::vector<Problem>& problems) {

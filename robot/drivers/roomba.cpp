@@ -56,7 +56,8 @@ void Roomba::stop() {
   static_cast<void>(send_wheels({}));
 }
 
-void Roomba::rearm() {
+void Roomba::rearm(oi::Mode mode) {
+  config_.mode = mode;
   status_ = RoombaStatus::kStarting;
   said_start_.reset();
 }

@@ -82,7 +82,9 @@ class Roomba {
   /// Stops the wheels now, whatever the status.
   void stop();
   /// Starts the robot again after kModeLost, kStreamLost or kShutDown: the next step() says the start-up.
-  void rearm();
+  void rearm() { rearm(config_.mode); }
+  /// The same in another mode, kept from now on: full drives off a home base, which safe mode refuses.
+  void rearm(oi::Mode mode);
   /// Stops the wheels, leaves the mode and ends the Open Interface.
   void shut_down();
 

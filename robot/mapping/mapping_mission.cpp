@@ -79,7 +79,10 @@ Task<> MappingMission::run() {
       succeeded_ = false;
       break;
     }
-    co_await dwell(move_begun, map_.visited_count() > before);
+    // A detour that found no way has not moved, and costs no slot of the pace.
+    if (!move->detour || end == MoveEnd::kArrived) {
+      co_await dwell(move_begun, map_.visited_count() > before);
+    }
   }
   co_await mover_.settle();
   log_.add(io_.sensed.stamp, MissionEventKind::kDone, mover_.at());

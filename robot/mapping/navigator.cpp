@@ -14,14 +14,17 @@ constexpr double kLookStep_rad = 0.04;
 /// The sweep clears this much less than the body, for the error of the pose.
 constexpr double kSweepMargin_m = 0.03;
 /// A compass indoors is bent by iron, the same way for as long as the robot is near it: one reading a tile, trusted to
-/// 10 degrees (algorithms study, C.2: "use the compass only to pick the 90-degree sector").
+/// 7 degrees (algorithms study, C.2: "use the compass only to pick the 90-degree sector").
 constexpr double kCompassEvery_m = 0.5;
-constexpr double kCompassSigma_rad = 0.17;
+constexpr double kCompassSigma_rad = 0.12;
+/// Share of what a reading differs that is laid to the place's iron rather than to the robot's heading.
+constexpr double kCompassLearning = 0.05;
 /// Placed by hand over a tag: within the zone, square to the tiles within a few degrees.
 constexpr double kPlacedSigma_m = 0.03;
 constexpr double kPlacedYawSigma_rad = 0.05;
-/// Found again over a known tag, heading kept.
-constexpr double kRelocatedSigma_m = 0.06;
+/// Found again over a tag, somewhere in its zone; the heading is what led astray.
+constexpr double kRelocatedSigma_m = 0.045;
+constexpr double kRelocatedYawSigma_rad = 0.10;
 
 }  // namespace
 
@@ -115,7 +118,7 @@ void Navigator::miss(Tile tile, double yaw_M_rad) {
 }
 
 void Navigator::relocate(Tile tile) {
-  filter_.reset({centre_m(tile), pose().yaw_rad}, kRelocatedSigma_m, std::max(filter_.yaw_sigma_rad(), 0.03));
+  filter_.reset({centre_m(tile), pose().yaw_rad}, kRelocatedSigma_m, kRelocatedYawSigma_rad);
   entered_ = entry_usable_ = false;
 }
 
@@ -129,7 +132,10 @@ void Navigator::sense_compass(const Sensed& sensed) {
   }
   if (filter_.path_length_m() - compass_at_path_m_ > kCompassEvery_m) {
     compass_at_path_m_ = filter_.path_length_m();
-    filter_.correct_heading(wrap_angle(*sensed.compass_rad - *compass_offset_rad_), kCompassSigma_rad);
+    const double yaw = wrap_angle(*sensed.compass_rad - *compass_offset_rad_);
+    const double off = wrap_angle(yaw - filter_.pose().yaw_rad);
+    filter_.correct_heading(yaw, kCompassSigma_rad);
+    compass_offset_rad_ = wrap_angle(*compass_offset_rad_ + kCompassLearning * off);
   }
 }
 

@@ -16,7 +16,7 @@ constexpr double kFollowTurnMax_radps = 1.5;
 constexpr double kTurnDone_rad = 0.009;
 /// Slowest useful turn: the wheels' speed steps are 28.5 mm/s (Open Interface, opcode 137), 0.24 rad/s.
 constexpr double kTurnMin_radps = 0.25;
-/// Facing this far off a line, the robot first turns on the spot.
+/// Facing this far off the way it should take, the robot first turns on the spot.
 constexpr double kTurnFirst_rad = 0.5;
 
 }  // namespace
@@ -41,9 +41,10 @@ void Pilot::follow(const Line& line, double speed_mps, double left_m) {
   const double across = line.across_m(X_MR.p_m) - left_m;
   const double off = wrap_angle(X_MR.yaw_rad - line.yaw_rad);
   const double sign = speed_mps < 0.0 ? -1.0 : 1.0;
-  const double turn = -kTurnGain_1ps * (off + sign * std::atan(across / kLookahead_m));
-  const double scale = std::abs(off) > kTurnFirst_rad ? 0.0 : 1.0;
-  command(ramped(scale * speed_mps), std::clamp(turn, -kFollowTurnMax_radps, kFollowTurnMax_radps));
+  const double astray = off + sign * std::atan(across / kLookahead_m);
+  const double scale = std::abs(astray) > kTurnFirst_rad ? 0.0 : 1.0;
+  command(ramped(scale * speed_mps),
+          std::clamp(-kTurnGain_1ps * astray, -kFollowTurnMax_radps, kFollowTurnMax_radps));
 }
 
 Task<> Pilot::brake() {

@@ -17,10 +17,10 @@ struct OdometryModel {
   double turn_scale_sigma{0.02};                              ///< turned / counted angle - 1
   double curvature_sigma_rad_per_m{0.02};                     ///< unequal wheels: turn per metre driven straight
   /// One sigma of what changes: per square root of a metre, and per square root of a radian turned.
-  double along_sigma_m{0.006};
-  double across_sigma_m{0.006};
-  double heading_sigma_rad{0.012};
-  double turn_sigma_rad{0.02};
+  double along_sigma_m{0.008};
+  double across_sigma_m{0.010};
+  double heading_sigma_rad{0.020};
+  double turn_sigma_rad{0.03};
 };
 
 /// One belief of where the robot is: an extended Kalman filter over

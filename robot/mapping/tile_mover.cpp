@@ -345,6 +345,7 @@ Task<std::optional<MoveEnd>> TileMover::search(std::optional<Tile> from, Tile ta
         const std::optional<MoveEnd> end = judge_tag(*tag, from, target);
         if (end) {
           co_await pilot_.brake();
+          navigator_.relocate(at_);
           co_await hold_for_write(at_);
           co_return end;
         }

@@ -65,13 +65,23 @@ void MappingProgram::gather_objects() {
 }
 
 void MappingProgram::keep_ready() {
+  if (!state_) {
+    return;
+  }
   // A hole or a lifted wheel makes the robot leave safe mode. It is armed again as soon as nothing forbids it, and the
-  // mission backs away from what it was; on a charger it waits.
-  if (base_.status() == RoombaStatus::kModeLost && state_ && !state_->wheel_drop_left && !state_->wheel_drop_right &&
-      state_->charging == oi::ChargingState::kNotCharging) {
+  // mission backs away from what it was. Off a home base only full mode drives.
+  const bool docked = state_->charging != oi::ChargingState::kNotCharging ||
+                      (state_->extended && (state_->extended->on_home_base || state_->extended->on_internal_charger));
+  const bool lifted = state_->wheel_drop_left || state_->wheel_drop_right;
+  const bool waiting = base_.status() == RoombaStatus::kModeLost || base_.status() == RoombaStatus::kStarting;
+  if (docked && waiting && !undocking_) {
+    undocking_ = true;
+    base_.rearm(oi::Mode::kFull);
+  } else if (base_.status() == RoombaStatus::kModeLost && !lifted) {
     base_.rearm();
-  } else if (base_.status() == RoombaStatus::kStreamLost && base_.fresh() != nullptr) {
-    base_.rearm();
+  } else if (undocking_ && !docked) {
+    undocking_ = false;
+    base_.rearm(config_.base.mode);
   }
 }
 

@@ -81,6 +81,7 @@ class MappingProgram {
   std::optional<EncoderCounts> last_counts_;
   std::optional<RoombaState> state_;
   Instant compass_stamp_;
+  bool undocking_{false};  ///< in full mode, only as long as the home base's contacts are touched
   WheelSpeeds wheels_;
   std::vector<ObjectSeen> objects_;
   std::vector<TagUid> known_objects_;

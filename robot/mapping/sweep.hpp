@@ -28,6 +28,10 @@ class Sweep : public Explorer {
   std::optional<Move> do_next(const TileMap& map, Tile at, Direction heading) override;
   [[nodiscard]] int do_paper_visits() const override { return first_visits_ + backtracks_; }
 
+  /// Where passages are known only by trying them: a side behind which a wall that was met a tile before may
+  /// well go on. Trying it in passing costs a bump that is due anyway; leaving it for later costs the way
+  /// back too.
+  [[nodiscard]] static std::optional<Move> try_likely_wall(const TileMap& map, Tile at, Direction heading);
   [[nodiscard]] std::optional<Move> straight_move(const TileMap& map, Tile at, Direction heading,
                                                   DoubtfulTiles doubtful_tiles);
   void improve_plan(Tile at, Direction heading);

@@ -2,9 +2,6 @@
 #include "robot/mapping/sweep_field.hpp"
 
 namespace sensotwin::robot {
-namespace {
-
-/// Some passage to it was found blocked and none open.
 bool doubtful(const TileMap& map, Tile t) {
   bool blocked = false;
   for (const Direction side : kDirections) {
@@ -14,8 +11,6 @@ bool doubtful(const TileMap& map, Tile t) {
   }
   return blocked;
 }
-
-}  // namespace
 
 TileBounds SweepField::presumed_bounds(const TileMap& map) const {
   TileBounds bounds = map.visited_bounds();

@@ -17,9 +17,9 @@ namespace sensotwin::robot {
 /// When no straight move is left it asks for detours to every tile around the visited ones, so that it finds
 /// tags behind door jambs and legs, where no straight line between two tags is free.
 ///
-/// Time for a decision on a map of n tiles: thirteen plans of n steps, each O(n) but for searches at dead ends, O(n)
-/// each. Measured, release build: 40 to 50 us a decision on the study's rooms of 324 tiles, 11 to 15 ms for a
-/// whole room, 6 ms for the slowest decision; 240 us a decision in an empty room of 1600 tiles.
+/// Time for a decision on a map of n tiles: thirteen plans of n steps, each O(n) but for searches at dead
+/// ends, O(n) each. Measured, release build: 40 to 50 us a decision on the study's rooms of 324 tiles, 11 to
+/// 15 ms for a whole room, 6 ms for the slowest decision; 240 us a decision in an empty room of 1600 tiles.
 class Sweep : public Explorer {
  public:
   /// \param cost  what the plans minimise: with no cost for turns the fewest tiles, else the least time

@@ -14,11 +14,6 @@ bool drivable(const TileMap& map, Tile tile, Direction side) {
   return map.visited(neighbour(tile, side)) && map.passage(tile, side) != Passage::kBlocked;
 }
 
-int quarter_turns(Direction from, Direction to) {
-  const int left = (static_cast<int>(to) - static_cast<int>(from)) & 3;
-  return std::min(left, 4 - left);
-}
-
 /// Breadth-first waves from the goals outwards; for each tile and heading also the fewest turns to the end.
 class Waves {
  public:

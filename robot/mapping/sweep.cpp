@@ -31,7 +31,8 @@ Sweep::Sweep(const MoveCost& cost)
     : field_(cost.quarter_turn_s > 0.0 ? kTilesBeyondWhenTurnsCost : 0), planner_(cost) {}
 
 std::optional<Move> Sweep::do_next(const TileMap& map, Tile at, Direction heading) {
-  auto move = straight_move(map, at, heading, DoubtfulTiles::kLeftOut);
+  auto move = try_likely_wall(map, at, heading);
+  if (!move) move = straight_move(map, at, heading, DoubtfulTiles::kLeftOut);
   if (!move) move = straight_move(map, at, heading, DoubtfulTiles::kWanted);
   if (!move) {
     plan_.clear();
@@ -39,6 +40,19 @@ std::optional<Move> Sweep::do_next(const TileMap& map, Tile at, Direction headin
   }
   count(map, move.value_or(Move{at}));
   return move;
+}
+
+std::optional<Move> Sweep::try_likely_wall(const TileMap& map, Tile at, Direction heading) {
+  for (const int left : {0, 3, 1, 2}) {
+    const Direction side = turned(heading, left);
+    if (!map.untried(at, side) || map.passage(at, side) == Passage::kOpen) continue;
+    const Tile beyond = neighbour(at, side);
+    if (doubtful(map, beyond) || doubtful(map, neighbour(beyond, turned(side, 1))) ||
+        doubtful(map, neighbour(beyond, turned(side, 3)))) {
+      return Move{beyond};
+    }
+  }
+  return std::nullopt;
 }
 
 std::optional<Move> Sweep::straight_move(const TileMap& map, Tile at, Direction heading,

@@ -18,7 +18,8 @@ namespace sensotwin::robot {
 /// tags behind door jambs and legs, where no straight line between two tags is free.
 ///
 /// Time for a decision on a map of n tiles: thirteen plans of n steps, each O(n) but for searches at dead
-/// ends, O(n) each. Some 30 us a decision in 324 tiles, 10 ms for all of them.
+/// ends, O(n) each. Measured, release build: 40 to 50 us a decision on the study's rooms of 324 tiles, 11 to
+/// 15 ms for a whole room, 6 ms for the slowest decision; 240 us a decision in an empty room of 1600 tiles.
 class Sweep : public Explorer {
  public:
   /// \param cost  what the plans minimise: with no cost for turns the fewest tiles, else the least time
@@ -28,6 +29,10 @@ class Sweep : public Explorer {
   std::optional<Move> do_next(const TileMap& map, Tile at, Direction heading) override;
   [[nodiscard]] int do_paper_visits() const override { return first_visits_ + backtracks_; }
 
+  /// Where passages are known only by trying them: a side behind which a wall that was met a tile before may
+  /// well go on. Trying it in passing costs a bump that is due anyway; leaving it for later costs the way
+  /// back too.
+  [[nodiscard]] static std::optional<Move> try_likely_wall(const TileMap& map, Tile at, Direction heading);
   [[nodiscard]] std::optional<Move> straight_move(const TileMap& map, Tile at, Direction heading,
                                                   DoubtfulTiles doubtful_tiles);
   void improve_plan(Tile at, Direction heading);

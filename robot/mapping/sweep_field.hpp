@@ -15,6 +15,8 @@ namespace sensotwin::robot {
 /// else is done.
 enum class DoubtfulTiles : std::uint8_t { kLeftOut, kWanted };
 
+[[nodiscard]] bool doubtful(const TileMap& map, Tile t);
+
 /// The room as a plan presumes it: what is known, and the unknown taken for free floor.
 ///
 /// The room's size is not known. Presumed is the rectangle round all tiles that are visited or that an open

@@ -26,6 +26,11 @@ inline constexpr std::array<Direction, 4> kDirections{Direction::kEast, Directio
 [[nodiscard]] constexpr Direction opposite(Direction d) {
   return turned(d, 2);
 }
+/// Quarter turns on the spot from one heading to another, the shorter way: 0, 1 or 2.
+[[nodiscard]] constexpr int quarter_turns(Direction from, Direction to) {
+  const int left = (static_cast<int>(to) - static_cast<int>(from)) & 3;
+  return left == 3 ? 1 : left;
+}
 [[nodiscard]] constexpr Tile neighbour(Tile t, Direction d) {
   switch (d) {
     case Direction::kEast:

@@ -21,11 +21,6 @@ Direction side_towards(Tile from, Tile to) {
   return Direction::kEast;
 }
 
-int quarter_turns(Direction from, Direction to) {
-  const int left = (static_cast<int>(to) - static_cast<int>(from)) & 3;
-  return std::min(left, 4 - left);
-}
-
 /// A tag's number as the grid model needs one: different for different tiles.
 robot::TagUid uid_of(Tile tile) {
   return (static_cast<robot::TagUid>(static_cast<std::uint32_t>(tile.column)) << 32) |

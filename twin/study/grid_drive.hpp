@@ -15,7 +15,7 @@ enum class Knowledge : std::uint8_t {
   kBump       ///< it knows a passage only by having tried it
 };
 
-/// What one explorer did in one room, by the three ways of counting (docs of EpsilonStudy).
+/// What one explorer did in one room, counted as the paper does and as it is driven.
 struct DriveTally {
   int tags{0};          ///< V: tags that straight drives can reach
   int tags_visited{0};  ///< of these

@@ -10,8 +10,8 @@
 namespace sensotwin::twin {
 namespace {
 
-// Every bit of every tick of scenes/lesson_2x2.yaml. Changing it means that the twin's physics, devices or robot behave
-// differently: say in the commit's message what and why, in a sentence.
+// Every bit of every tick of scenes/lesson_2x2.yaml. Changing it means that the twin's physics, devices or
+// robot behave differently: say in the commit's message what and why, in a sentence.
 constexpr const char* kLessonHash = "0000000000000000";
 
 TEST(Determinism, LessonKeepsItsGoldenHash) {

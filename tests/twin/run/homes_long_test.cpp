@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Homes that nobody here drew, twenty seeds each: the paper's explorers map what straight moves between neighbouring
-// tags reach, ours whatever the antenna can be brought over at all.
+// Homes that nobody here drew, twenty seeds each: the paper's explorers map what straight moves between
+// neighbouring tags reach, ours whatever the antenna can be brought over at all.
 #include <gtest/gtest.h>
 
 #include <iostream>
@@ -26,8 +26,8 @@ TEST_P(RealHomes, AreMappedToTheLastTileThatTheExplorerCanReachAndNeverWrong) {
     const MapResult result = *run_of(home(name, explorer, seed)).map;
     complete += result.tiles_missed == 0 ? 1 : 0;
     if (result.tiles_missed > 0 || result.tiles_wrong > 0) {
-      report << "  seed " << seed << ": " << result.tiles_mapped << " mapped, " << result.tiles_missed << " missed, "
-             << result.tiles_wrong << " wrong\n";
+      report << "  seed " << seed << ": " << result.tiles_mapped << " mapped, " << result.tiles_missed
+             << " missed, " << result.tiles_wrong << " wrong\n";
     }
     EXPECT_EQ(result.tiles_wrong, 0) << "seed " << seed;
     EXPECT_EQ(result.tiles_missed, 0) << "seed " << seed;

@@ -65,7 +65,8 @@ TEST(MapVerdict, CountsCoordinatesThatStandInTwoTagsAsWrongInBoth) {
 TEST(MapVerdict, TakesBlankTagsAsMissedWherePromisedAndAsBeyondElsewhere) {
   const std::vector<world::Tag> tags{tag_at(5, 5, robot::Tile{0, 0}), tag_at(6, 5, {}), tag_at(9, 9, {})};
   const MapVerdict verdict = judge_map(tags, kMapId, kUnturned, kPromised);
-  EXPECT_EQ(outcomes(verdict), (std::vector{TileOutcome::kMapped, TileOutcome::kMissed, TileOutcome::kBeyond}));
+  EXPECT_EQ(outcomes(verdict),
+            (std::vector{TileOutcome::kMapped, TileOutcome::kMissed, TileOutcome::kBeyond}));
   EXPECT_EQ(verdict.missed, 1);
 }
 
@@ -75,7 +76,8 @@ TEST(MapVerdict, CreditsATileBeyondThePromiseThatWasMappedAllTheSame) {
 }
 
 TEST(MapVerdict, TakesCoordinatesOfAnOlderMapAsBlank) {
-  const std::vector<world::Tag> tags{tag_at(5, 5, robot::Tile{0, 0}), tag_at(6, 5, robot::Tile{0, 0}, kMapId + 1)};
+  const std::vector<world::Tag> tags{tag_at(5, 5, robot::Tile{0, 0}),
+                                     tag_at(6, 5, robot::Tile{0, 0}, kMapId + 1)};
   EXPECT_EQ(outcomes(judge_map(tags, kMapId, kUnturned, kPromised)),
             (std::vector{TileOutcome::kMapped, TileOutcome::kMissed}));
 }

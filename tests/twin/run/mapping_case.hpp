@@ -27,10 +27,12 @@ inline Scene published(const std::string& name, const std::vector<std::string>& 
   return read_scene(kSource / "scenes" / (name + ".yaml"), {.set = set, .seed = seed});
 }
 
-/// A home of kMaps under carpet, as `twin import` makes it. The robot is put down where the reader finds a place.
+/// A home of kMaps under carpet, as `twin import` makes it. The robot is put down where the reader finds a
+/// place.
 inline Scene home(const std::string& name, const std::string& explorer, std::uint64_t seed) {
   const std::string text = "version: 1\nseed: " + std::to_string(seed) +
-                           "\nworld: { map: { file: map.yaml } }\nmission: { map: { explorer: " + explorer + " } }\n";
+                           "\nworld: { map: { file: map.yaml } }\nmission: { map: { explorer: " + explorer +
+                           " } }\n";
   return read_scene_text(text, kMaps / name / "scene.yaml");
 }
 

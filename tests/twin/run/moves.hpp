@@ -25,8 +25,8 @@ struct MoveCount {
     recovered += result.moves_recovered;
     if (result.moves_missed > 0) {
       std::ostringstream line;
-      line << scene.name << ", " << result.explorer << ", seed " << scene.seed << ": " << result.moves_missed << " of "
-           << result.moves << " missed, " << result.moves_recovered << " recovered\n";
+      line << scene.name << ", " << result.explorer << ", seed " << scene.seed << ": " << result.moves_missed
+           << " of " << result.moves << " missed, " << result.moves_recovered << " recovered\n";
       report += line.str();
     }
   }

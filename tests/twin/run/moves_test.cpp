@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: MIT
 // A move from tag to tag meets its tag, or the search that follows does.
+#include "moves.hpp"
+
 #include <gtest/gtest.h>
 
 #include "mapping_case.hpp"
-#include "moves.hpp"
 
 namespace sensotwin::twin {
 namespace {

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// What a run leaves can be read by others: the map by map_server's rules, the trace as CSV, the events as JSON.
+// What a run leaves can be read by others: the map by map_server's rules, the trace as CSV, the events as
+// JSON.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -58,8 +59,8 @@ std::vector<std::string> cells_of(const std::string& line) {
 TEST_F(RecordedRun, LeavesAMapThatLoadsBackWithTheAreaOfItsTiles) {
   const OccupancyMap map = read_map(run() / "map.yaml");
   const double free_m2 = static_cast<double>(map.count(Cell::kFree)) * map.resolution_m * map.resolution_m;
-  // Whole tiles are floor. A tile at furniture loses a ring of cells to what was felt there, and the disc of the robot
-  // sweeps a little beyond: 5 %.
+  // Whole tiles are floor. A tile at furniture loses a ring of cells to what was felt there, and the disc of
+  // the robot sweeps a little beyond: 5 %.
   EXPECT_NEAR(free_m2 / (result().tiles_mapped * 0.508 * 0.508), 1.0, 0.05);
   EXPECT_GT(map.count(Cell::kOccupied), 0u);
   // The origin of M is the middle of the first tile.
@@ -126,7 +127,9 @@ TEST(InterruptedRun, EndsWhenToldToAndLeavesAShorterValidFolder) {
   RunFolder results(folder / "run", Existing::kRefuse);
   int asked = 0;
   MappingRunOptions options;
-  options.keep_going = [&](const RunProgress& progress) { return ++asked < 10 && progress.tiles_total == 225; };
+  options.keep_going = [&](const RunProgress& progress) {
+    return ++asked < 10 && progress.tiles_total == 225;
+  };
   const Summary summary = run_mapping(published("house"), results, options);
   EXPECT_TRUE(summary.interrupted);
   EXPECT_EQ(verdict_of(summary), "interrupted");

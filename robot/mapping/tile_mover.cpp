@@ -15,7 +15,8 @@ constexpr double kSureClearance_m = 0.135;
 constexpr double kEasyClearance_m = 0.185;
 /// A one-sided bump moves the aim away from that side by this much, so many times.
 constexpr double kNudge_m = 0.015;
-constexpr int kNudges = 5;
+constexpr int kNudges = 8;
+constexpr int kFutileNudges = 3;
 constexpr double kBackOff_m = 0.02;
 /// Progress between two bumps that counts as getting past something.
 constexpr double kProgress_m = 0.01;
@@ -276,6 +277,7 @@ Task<MoveEnd> TileMover::roll(Tile from, Tile target, Direction d) {
   const double aim_most = config_.read_radius_m - kAimMargin_m;
   const double give_up_m = config_.tile_m + config_.read_radius_m + 0.04;
   int nudges = 0;
+  int futile = 0;
   double furthest_m = -1.0;
   for (;;) {
     if (const auto tag = navigator_.identified()) {
@@ -292,10 +294,10 @@ Task<MoveEnd> TileMover::roll(Tile from, Tile target, Direction d) {
       ++log_.counts.bumps;
       const int side = pilot_.bump_side();
       navigator_.remember_bump(side, io_.sensed);
-      const bool progress = s > furthest_m + kProgress_m;
+      futile = s > furthest_m + kProgress_m ? 0 : futile + 1;
       furthest_m = std::max(furthest_m, s);
-      aim -= side * kNudge_m;
-      if (side == 0 || (!progress && nudges > 2) || ++nudges > kNudges || std::abs(aim) > aim_most) {
+      aim = std::clamp(aim - side * kNudge_m, -aim_most, aim_most);
+      if (side == 0 || futile > kFutileNudges || ++nudges > kNudges) {
         co_return co_await give_way(from, line);
       }
       co_await pilot_.back_along(line, s - kBackOff_m, aim);

@@ -22,7 +22,10 @@ robot::MoveCost move_cost_of(const MapMission& mission, double tile_m) {
   if (mission.pace.tile_s > 0.0) {
     return {.tile_s = mission.pace.tile_s, .quarter_turn_s = 0.0};
   }
-  return {.tile_s = tile_m / mission.pace.speed_mps, .quarter_turn_s = robot::kPi / 2.0 / mission.pace.turn_radps};
+  // A turn costs its angle, and the stop before it and the start after it.
+  const double stop_and_go_s = mission.pace.speed_mps / robot::MappingConfig{}.acceleration_mps2;
+  return {.tile_s = tile_m / mission.pace.speed_mps,
+          .quarter_turn_s = robot::kPi / 2.0 / mission.pace.turn_radps + stop_and_go_s};
 }
 
 }  // namespace

@@ -163,12 +163,13 @@ Task<bool> TileMover::find_origin() {
   co_return true;
 }
 
-Task<> TileMover::look_behind() {
-  // The outer beams look 65 degrees aside: a turn of 120 shows them what is behind. Back the same way, so that what the
-  // wheels get wrong in turning cancels.
+Task<> TileMover::look_round() {
+  // The outer beams look 65 degrees aside: turns of 120 to either side show them all that is behind, corners included.
+  // As far left as right, so that what the wheels get wrong in turning cancels.
   const double ahead = navigator_.pose().yaw_rad;
-  co_await pilot_.turn_to(wrap_angle(ahead + rad_from_deg(120)));
-  co_await pilot_.turn_to(ahead);
+  for (const double aside_deg : {120.0, 0.0, -120.0, 0.0}) {
+    co_await pilot_.turn_to(wrap_angle(ahead + rad_from_deg(aside_deg)));
+  }
 }
 
 Task<> TileMover::settle() {

@@ -53,7 +53,7 @@ void TileMover::see_passages() {
 void TileMover::see_passages_of(Tile tile) {
   for (const Direction d : kDirections) {
     const Tile next = neighbour(tile, d);
-    if (map_.passage(tile, d) != Passage::kUnknown || map_.visited(next)) {
+    if (map_.passage(tile, d) == Passage::kBlocked || map_.visited(next)) {
       continue;
     }
     const Line line = line_of(tile, d);
@@ -61,6 +61,9 @@ void TileMover::see_passages_of(Tile tile) {
     if (navigator_.floor().blocks(line.from_M_m, line.from_M_m + reach * line.along(), kSureClearance_m)) {
       map_.mark_passage(tile, d, Passage::kBlocked);
       log_.add(io_.sensed.stamp, MissionEventKind::kPassageSeen, next);
+    } else {
+      // The beams reach as far as a wall at the tile's border; what stands farther off is found by driving there.
+      map_.mark_passage(tile, d, Passage::kOpen);
     }
   }
 }

@@ -128,9 +128,14 @@ struct WorldDescription {
 
 enum class RoombaKind : std::uint8_t { kCreate2, kRoomba400 };
 
+/// What the mainboard's program answers wrongly (protocols study, 1.7): nothing since 3.4.1; the angle packet before
+/// it; distance and requested radius too before 3.3.0; the Open Interface mode one too high on Wi-Fi models.
+enum class RoombaFirmware : std::uint8_t { kCurrent, kBefore341, kBefore330, kWifi };
+
 /// Defaults: Create 2 Open Interface 2016 (wheel base, wheel, counts, speed); iRobot's published size and weight.
 struct RoombaDescription {
   RoombaKind kind{RoombaKind::kCreate2};
+  RoombaFirmware firmware{RoombaFirmware::kCurrent};
   double radius_m{0.17};
   double height_m{0.092};
   double mass_kg{3.5};

@@ -11,8 +11,8 @@ namespace sensotwin::robot {
 /// The next thing to do on the carpet.
 struct Move {
   Tile target;
-  /// False: `target` shares a side with the tile under the robot; drive straight. True: go there by any way that
-  /// free floor may offer (round a door jamb, between legs).
+  /// False: `target` shares a side with the tile under the robot; drive straight. True: go there by any way
+  /// that free floor may offer (round a door jamb, between legs).
   bool detour{false};
 };
 
@@ -30,7 +30,8 @@ class Explorer {
   [[nodiscard]] std::optional<Move> next(const TileMap& map, Tile at, Direction heading) {
     return do_next(map, at, heading);
   }
-  /// S_T as the paper counts it (Algorithm 1: one for each first visit, one for each backtrack, however long).
+  /// S_T as the paper counts it (Algorithm 1: one for each first visit, one for each backtrack, however
+  /// long).
   [[nodiscard]] int paper_visits() const { return do_paper_visits(); }
 
  private:

@@ -1,0 +1,87 @@
+// SPDX-License-Identifier: MIT
+#include "robot/drivers/compass.hpp"
+
+#include <array>
+#include <cassert>
+
+namespace sensotwin::robot {
+namespace {
+
+/// Bytes asked for at once, and how often in a step: 1 kB, where 38400 baud bring 58 bytes in 15 ms. More
+/// is a backlog, and is worked off in the next steps instead of holding up this one.
+constexpr std::size_t kChunk = 256;
+constexpr int kChunksPerStep = 4;
+
+}  // namespace
+
+void Compass::step(Instant now) {
+  assert(now >= now_);
+  now_ = now;
+  const bool up = link_.is_up();
+  if (was_up_ && !up) {
+    ++health_.link_lost;
+    decoder_.reset();
+  }
+  was_up_ = up;
+  std::array<std::uint8_t, kChunk> chunk{};
+  for (int i = 0; i < kChunksPerStep; ++i) {
+    const std::size_t n = link_.read(chunk);
+    for (std::size_t k = 0; k < n; ++k) {
+      take(chunk[k]);
+    }
+    if (n < chunk.size()) {
+      break;
+    }
+  }
+  if (reading_) {
+    reading_->age = now - reading_->stamp;
+    if (reading_->age > config_.stale_after) {
+      reading_.reset();
+      ++health_.went_stale;
+    }
+  }
+}
+
+void Compass::take(std::uint8_t byte) {
+  const auto sentence = decoder_.push(byte);
+  if (!sentence) {
+    return;
+  }
+  if (*sentence) {
+    take(**sentence);
+  } else if (sentence->error() == NmeaError::kBadChecksum) {
+    ++health_.bad_checksum;
+  } else {
+    ++health_.bad_frame;
+  }
+}
+
+void Compass::take(const NmeaSentence& sentence) {
+  const auto heading = decode_heading(sentence);
+  if (!heading) {
+    switch (heading.error()) {
+      case HeadingError::kNotAHeading:
+        ++health_.other;
+        return;
+      case HeadingError::kNoHeading:
+        ++health_.not_ready;
+        return;
+      default:
+        ++health_.bad_heading;
+        return;
+    }
+  }
+  double magnetic_deg = 0.0;
+  if (const auto* hdm = std::get_if<Hdm>(&*heading)) {
+    magnetic_deg = hdm->magnetic_deg;
+  } else if (const auto* hdg = std::get_if<Hdg>(&*heading)) {
+    magnetic_deg = hdg->magnetic_deg();
+  } else {
+    ++health_.other;
+    return;
+  }
+  ++health_.headings;
+  reading_ = CompassReading{yaw_rad_from_heading_deg(magnetic_deg), now_, {}};
+}
+
+}  // namespace sensotwin::robot

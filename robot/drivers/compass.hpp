@@ -1,0 +1,64 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstdint>
+#include <optional>
+
+#include "robot/base/time.hpp"
+#include "robot/hal/byte_link.hpp"
+#include "robot/wire/nmea.hpp"
+
+namespace sensotwin::robot {
+
+struct CompassConfig {
+  /// A reading older than this is no longer given. Chosen: five sentences missed at 10 Hz.
+  Duration stale_after{std::chrono::milliseconds{500}};
+};
+
+struct CompassReading {
+  /// Where the robot's forward axis points, counter-clockwise from magnetic north as seen from above, in
+  /// (-pi, pi]: a REP-103 yaw in a frame whose x axis points north. NMEA's clockwise degrees end at the
+  /// codec.
+  double yaw_from_north_rad{0.0};
+  Instant stamp{};  ///< step in which the sentence was complete
+  Duration age{};   ///< at the last step
+};
+
+/// Counters since construction.
+struct CompassHealth {
+  std::uint32_t headings{0};  ///< magnetic headings taken (HDM, HDG)
+  std::uint32_t bad_checksum{0};
+  std::uint32_t bad_frame{0};    ///< every other NmeaError
+  std::uint32_t bad_heading{0};  ///< whole sentence, but no usable heading in it
+  std::uint32_t not_ready{0};    ///< heading sentence with an empty heading
+  std::uint32_t other{0};        ///< sound sentences of other kinds (HDT: true north is not what we ask for)
+  std::uint32_t went_stale{0};   ///< times the reading grew too old
+  std::uint32_t link_lost{0};
+};
+
+/// A compass that talks NMEA 0183.
+class Compass {
+ public:
+  /// `link` has to outlive the compass.
+  explicit Compass(ByteLink& link, CompassConfig config = {}) : link_(link), config_(config) {}
+
+  /// Takes what has arrived; every 15 ms. \param now  never earlier than before
+  void step(Instant now);
+  /// The last heading; nothing before the first, and when it is stale.
+  [[nodiscard]] const std::optional<CompassReading>& reading() const { return reading_; }
+  [[nodiscard]] const CompassHealth& health() const { return health_; }
+
+ private:
+  void take(std::uint8_t byte);
+  void take(const NmeaSentence& sentence);
+
+  ByteLink& link_;
+  CompassConfig config_;
+  NmeaDecoder decoder_;
+  Instant now_{};
+  std::optional<CompassReading> reading_;
+  bool was_up_{true};
+  CompassHealth health_;
+};
+
+}  // namespace sensotwin::robot

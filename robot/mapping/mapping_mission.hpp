@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <memory>
+
+#include "robot/base/task.hpp"
+#include "robot/mapping/explorer.hpp"
+#include "robot/mapping/mapping_config.hpp"
+#include "robot/mapping/mission_log.hpp"
+#include "robot/mapping/navigator.hpp"
+#include "robot/mapping/pilot.hpp"
+#include "robot/mapping/tile_map.hpp"
+#include "robot/mapping/tile_mover.hpp"
+
+namespace sensotwin::robot {
+
+/// SensoBot's first job (section III.A): find every tag of the carpet, write its coordinates into it, draw the floor
+/// plan. One object, stepped once per Open Interface frame; the same on the machine and in the twin.
+///
+/// Neither copies nor moves: its behaviours hold references into it.
+class MappingMission {
+ public:
+  MappingMission(const MappingConfig& config, std::unique_ptr<Explorer> explorer);
+  MappingMission(const MappingMission&) = delete;
+  MappingMission& operator=(const MappingMission&) = delete;
+
+  /// One control step. \pre sensed.stamp is later than the last one
+  /// \returns the command that holds until the next call
+  Command step(const Sensed& sensed);
+
+  [[nodiscard]] bool done() const { return finished_; }
+  /// False when no tag was found at the start, or the robot got lost for good.
+  [[nodiscard]] bool succeeded() const { return finished_ && succeeded_; }
+  [[nodiscard]] const TileMap& map() const { return map_; }
+  [[nodiscard]] const Navigator& navigator() const { return navigator_; }
+  [[nodiscard]] const Explorer& explorer() const { return *explorer_; }
+  [[nodiscard]] Tile at() const { return mover_.at(); }
+  [[nodiscard]] MissionLog& log() { return log_; }
+  [[nodiscard]] const MissionCounts& counts() const { return log_.counts; }
+
+ private:
+  Task<> run();
+  void give_up(Tile tile);
+  Task<> dwell(Instant begun, bool new_tag);
+
+  MappingConfig config_;
+  std::unique_ptr<Explorer> explorer_;
+  TileMap map_;
+  MissionLog log_;
+  StepIo io_;
+  Navigator navigator_;
+  Pilot pilot_;
+  TileMover mover_;
+  bool finished_{false};
+  bool succeeded_{false};
+  bool started_{false};
+  Task<> script_;
+};
+
+}  // namespace sensotwin::robot

@@ -1,0 +1,131 @@
+// SPDX-License-Identifier: MIT
+#include "robot/program/mapping_program.hpp"
+
+#include <algorithm>
+#include <utility>
+#include <variant>
+
+namespace sensotwin::robot {
+
+MappingProgram::MappingProgram(const MappingLinks& links, const MappingProgramConfig& config,
+                               std::unique_ptr<Explorer> explorer)
+    : config_(config),
+      base_(links.base, config.base),
+      floor_reader_(links.floor_reader, config.reader),
+      forward_reader_(links.forward_reader, config.reader),
+      compass_(links.sensors),
+      mission_(config.mapping, std::move(explorer)) {}
+
+void MappingProgram::step(Instant now) {
+  base_.step(now);
+  floor_reader_.step(now);
+  forward_reader_.step(now);
+  compass_.step(now);
+  gather_tags();
+  gather_objects();
+  keep_ready();
+  if (const RoombaState* state = base_.fresh()) {
+    sense(*state);
+    obey(mission_.step(std::exchange(sensed_, Sensed{})));
+  }
+}
+
+void MappingProgram::gather_tags() {
+  while (const auto event = floor_reader_.next_event()) {
+    if (std::holds_alternative<TagEntered>(*event)) {
+      sensed_.tag_entered = true;
+    } else if (const auto* identified = std::get_if<TagIdentified>(&*event)) {
+      sensed_.tag_identified = identified->uid;
+    } else if (std::holds_alternative<TagLeft>(*event)) {
+      // What was said of a tag that has already gone is taken back: the mission sees the field as it is now.
+      sensed_.tag_left = !sensed_.tag_entered;
+      sensed_.tag_entered = false;
+      sensed_.tag_identified.reset();
+    } else if (const auto* written = std::get_if<WriteOutcome>(&*event)) {
+      sensed_.write_ended = TileWriteEnded{written->uid, written->result.has_value()};
+    }
+  }
+}
+
+void MappingProgram::gather_objects() {
+  while (const auto event = forward_reader_.next_event()) {
+    const auto* read = std::get_if<TagDataRead>(&*event);
+    const auto& tag = forward_reader_.tag();
+    if (read == nullptr || !tag || tag->uid != read->uid || !tag->data) {
+      continue;
+    }
+    const auto record = decode_tag_record(*tag->data);
+    if (!record || std::holds_alternative<CarpetRecord>(*record) ||
+        std::find(known_objects_.begin(), known_objects_.end(), read->uid) != known_objects_.end()) {
+      continue;
+    }
+    known_objects_.push_back(read->uid);
+    objects_.push_back({read->stamp, read->uid, *record, mission_.navigator().pose()});
+  }
+}
+
+void MappingProgram::keep_ready() {
+  if (!state_) {
+    return;
+  }
+  // A hole or a lifted wheel makes the robot leave safe mode. It is armed again as soon as nothing forbids it, and the
+  // mission backs away from what it was. Off a home base only full mode drives.
+  const bool docked = state_->charging != oi::ChargingState::kNotCharging ||
+                      (state_->extended && (state_->extended->on_home_base || state_->extended->on_internal_charger));
+  const bool lifted = state_->wheel_drop_left || state_->wheel_drop_right;
+  const bool waiting = base_.status() == RoombaStatus::kModeLost || base_.status() == RoombaStatus::kStarting;
+  if (docked && waiting && !undocking_) {
+    undocking_ = true;
+    base_.rearm(oi::Mode::kFull);
+  } else if (base_.status() == RoombaStatus::kModeLost && !lifted) {
+    base_.rearm();
+  } else if (undocking_ && !docked) {
+    undocking_ = false;
+    base_.rearm(config_.base.mode);
+  }
+}
+
+void MappingProgram::sense(const RoombaState& state) {
+  state_ = state;
+  sensed_.stamp = state.stamp;
+  if (state.encoders) {
+    if (last_counts_) {
+      sensed_.counts_left = state.encoders->left - last_counts_->left;
+      sensed_.counts_right = state.encoders->right - last_counts_->right;
+    }
+    last_counts_ = state.encoders;
+  }
+  sensed_.bump_left = state.bump_left;
+  sensed_.bump_right = state.bump_right;
+  sensed_.cliff = std::any_of(state.cliff.begin(), state.cliff.end(), [](bool hole) { return hole; });
+  sensed_.wheel_drop = state.wheel_drop_left || state.wheel_drop_right;
+  sensed_.virtual_wall = state.virtual_wall;
+  if (state.light_bumper) {
+    sensed_.light_bump = state.light_bumper->signal;
+  }
+  if (const auto& reading = compass_.reading(); reading && reading->stamp > compass_stamp_) {
+    compass_stamp_ = reading->stamp;
+    sensed_.compass_rad = reading->yaw_from_north_rad;
+  }
+}
+
+void MappingProgram::obey(const Command& command) {
+  wheels_ = command.wheels;
+  // Refused while the robot is not ready; it stands then, and the encoders tell the mission so.
+  (void)base_.drive(command.wheels);
+  if (command.write) {
+    const CarpetRecord record{.map_id = config_.map_id,
+                              .column = static_cast<std::int16_t>(command.write->tile.column),
+                              .row = static_cast<std::int16_t>(command.write->tile.row)};
+    const auto bytes = encode(record);
+    if (!floor_reader_.write(command.write->tag, 0, bytes)) {
+      sensed_.write_ended = TileWriteEnded{command.write->tag, false};
+    }
+  }
+}
+
+std::vector<ObjectSeen> MappingProgram::take_objects() {
+  return std::exchange(objects_, {});
+}
+
+}  // namespace sensotwin::robot

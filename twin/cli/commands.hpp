@@ -1,0 +1,109 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <functional>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "twin/cli/command.hpp"
+
+/// What a user can ask of each command. Each function makes the word of the command line from the deed behind
+/// it, so that main's list of commands is the list of what this program can do.
+namespace sensotwin::twin {
+
+template <class Options>
+using Deed = std::function<ExitCode(const Options&, Context&)>;
+
+/// A scene, and what the command line changes in it.
+struct SceneChoice {
+  std::filesystem::path scene;
+  std::optional<std::uint64_t> seed{};  ///< instead of the scene's
+  std::vector<std::string> set{};       ///< "key.path=value", in order
+};
+
+struct RunOptions {
+  SceneChoice choice{};
+  std::optional<std::filesystem::path> out{};  ///< none: default_run_folder()
+  bool force{false};
+  int trace_every{7};  ///< ticks from row to row of trace.csv. Chosen: 0.1 s, a row every 3 cm at 0.3 m/s
+  bool pictures{true};
+};
+[[nodiscard]] Command make_run_command(Deed<RunOptions> deed);
+
+struct ShowOptions {
+  SceneChoice choice{};
+};
+[[nodiscard]] Command make_show_command(Deed<ShowOptions> deed);
+
+struct RenderOptions {
+  SceneChoice choice{};
+  std::optional<std::filesystem::path> out{};  ///< none: <scene>.png in the working directory
+  bool force{false};
+  std::string view{"top"};       ///< top, oblique
+  int width_px{1600};            ///< chosen: sharp on a README's two columns
+  std::string renderer{"auto"};  ///< auto, osmesa, egl
+};
+[[nodiscard]] Command make_render_command(Deed<RenderOptions> deed);
+
+struct ImportOptions {
+  std::filesystem::path map;                   ///< the YAML of a map_server map
+  std::optional<std::filesystem::path> out{};  ///< none: <map>.scene.yaml in the working directory
+  bool force{false};
+  double tile_m{0.508};  ///< carpet tiles, 20 inches (SensoBot, section IV)
+};
+[[nodiscard]] Command make_import_command(Deed<ImportOptions> deed);
+
+struct EpsilonOptions {
+  std::vector<std::string> explorers{};  ///< none: the study's own choice
+  int maps_per_cell{1000};               ///< SensoBot, section V
+  std::uint64_t seed{1};
+  int jobs{0};                                 ///< 0: as many as there are processors
+  std::string knowledge{"adjacent"};           ///< adjacent, bump: what the robot knows of blocked neighbours
+  std::optional<std::filesystem::path> out{};  ///< CSV of all cells
+  bool force{false};
+};
+[[nodiscard]] Command make_epsilon_command(Deed<EpsilonOptions> deed);
+
+struct ChartOptions {
+  std::vector<std::filesystem::path> runs{};   ///< folders of runs
+  std::optional<std::filesystem::path> out{};  ///< none: tags_over_time.png in the working directory
+  bool force{false};
+  bool paper_marks{false};  ///< SensoBot, section V: 69, 42 and 26 minutes
+};
+[[nodiscard]] Command make_chart_command(Deed<ChartOptions> deed);
+
+/// What `twin list` can list.
+struct ListEntry {
+  std::string name;
+  std::string summary;
+};
+struct ListTopic {
+  std::string name;  ///< plural: "scenes"
+  std::string summary;
+  std::function<std::vector<ListEntry>()> entries;
+};
+[[nodiscard]] Command make_list_command(std::vector<ListTopic> topics);
+/// Scenes in the first of `folders` that exists: each file's name and first comment line.
+[[nodiscard]] ListTopic scenes_topic(std::vector<std::filesystem::path> folders);
+/// Figures that `expect:` may ask for.
+[[nodiscard]] ListTopic figures_topic();
+[[nodiscard]] ListTopic exit_codes_topic();
+
+/// One thing that `twin doctor` looks at.
+struct ProbeResult {
+  bool ok{false};
+  std::string detail;  ///< what was found, or what to do about it
+};
+struct Probe {
+  std::string name;
+  bool required{true};  ///< else merely told
+  std::function<ProbeResult()> look;
+};
+[[nodiscard]] Command make_doctor_command(std::vector<Probe> probes);
+/// Libraries, the font of the pictures, pseudo-terminals, the card service. Add the renderers' own to these.
+[[nodiscard]] std::vector<Probe> machine_probes();
+
+}  // namespace sensotwin::twin

@@ -1,0 +1,21 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "twin/cli/commands.hpp"
+
+/// What the commands do: each joins the command line to one library of the twin.
+namespace sensotwin::twin {
+
+ExitCode run_deed(const RunOptions& options, Context& context);
+ExitCode show_deed(const ShowOptions& options, Context& context);
+ExitCode render_deed(const RenderOptions& options, Context& context);
+ExitCode import_deed(const ImportOptions& options, Context& context);
+ExitCode epsilon_deed(const EpsilonOptions& options, Context& context);
+ExitCode chart_deed(const ChartOptions& options, Context& context);
+
+/// The renderers and their drivers, for `twin doctor`.
+[[nodiscard]] std::vector<Probe> renderer_probes();
+/// The explorers, for `twin list`.
+[[nodiscard]] ListTopic explorers_topic();
+
+}  // namespace sensotwin::twin

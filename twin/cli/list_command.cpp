@@ -1,0 +1,143 @@
+// SPDX-License-Identifier: MIT
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <fstream>
+#include <memory>
+#include <nlohmann/json.hpp>
+#include <ostream>
+#include <utility>
+
+#include "twin/cli/nearest_name.hpp"
+#include "twin/cli/options.hpp"
+#include "twin/output/summary.hpp"
+
+namespace sensotwin::twin {
+namespace {
+
+void print(const std::vector<ListEntry>& entries, Context& context) {
+  if (context.json) {
+    auto json = nlohmann::ordered_json::array();
+    for (const auto& [name, summary] : entries) {
+      json.push_back({{"name", name}, {"summary", summary}});
+    }
+    context.out << json.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace) << '\n';
+    return;
+  }
+  std::size_t width = 0;
+  for (const ListEntry& entry : entries) {
+    width = std::max(width, entry.name.size());
+  }
+  for (const auto& [name, summary] : entries) {
+    context.out << (summary.empty() ? name : fmt::format("{:<{}}  {}", name, width, summary)) << '\n';
+  }
+}
+
+ExitCode list(const std::vector<ListTopic>& topics, const std::string& wanted, Context& context) {
+  std::vector<ListEntry> names;
+  for (const ListTopic& topic : topics) {
+    if (topic.name == wanted) {
+      print(topic.entries(), context);
+      return ExitCode::kDone;
+    }
+    names.push_back({topic.name, topic.summary});
+  }
+  if (wanted.empty()) {
+    print(names, context);
+    return ExitCode::kDone;
+  }
+  std::vector<std::string> known;
+  known.reserve(names.size());
+  for (const ListEntry& name : names) {
+    known.push_back(name.name);
+  }
+  throw CommandError(ExitCode::kWrongCommandLine,
+                     fmt::format("there is no list of '{}'{}; there are {}", wanted,
+                                 nearest_name_hint(wanted, known), fmt::join(known, ", ")));
+}
+
+/// The lesson that a scene opens with.
+std::string first_comment(const std::filesystem::path& file) {
+  std::ifstream in(file);
+  std::string line;
+  while (std::getline(in, line)) {
+    const auto text = line.find_first_not_of("# \t");
+    if (!line.starts_with("#")) {
+      break;
+    }
+    const bool directive = line.starts_with("# yaml-language-server") || line.starts_with("# SPDX");
+    if (text != std::string::npos && !directive) {
+      return line.substr(text);
+    }
+  }
+  return "";
+}
+
+std::vector<ListEntry> scenes_in(const std::filesystem::path& folder) {
+  std::vector<std::filesystem::path> files;
+  std::error_code error;
+  for (const auto& entry : std::filesystem::directory_iterator(folder, error)) {
+    if (entry.path().extension() == ".yaml") {
+      files.push_back(entry.path());
+    }
+  }
+  std::sort(files.begin(), files.end());
+  std::vector<ListEntry> entries;
+  entries.reserve(files.size());
+  for (const auto& file : files) {
+    entries.push_back({file.string(), first_comment(file)});
+  }
+  return entries;
+}
+
+}  // namespace
+
+Command make_list_command(std::vector<ListTopic> topics) {
+  const auto wanted = std::make_shared<std::string>();
+  return {
+      .name = "list",
+      .summary = "say what there is",
+      .examples = "twin list\ntwin list scenes\ntwin list figures --json",
+      .set_up =
+          [wanted](CLI::App& app) {
+            app.add_option("TOPIC", *wanted, "What to list (default: the topics)")->option_text(" ");
+          },
+      .run = [wanted,
+              topics = std::move(topics)](Context& context) { return list(topics, *wanted, context); },
+  };
+}
+
+ListTopic scenes_topic(std::vector<std::filesystem::path> folders) {
+  return {"scenes", "scene files and what they teach", [folders = std::move(folders)] {
+            for (const auto& folder : folders) {
+              std::error_code error;
+              if (std::filesystem::is_directory(folder, error)) {
+                return scenes_in(folder);
+              }
+            }
+            return std::vector<ListEntry>{};
+          }};
+}
+
+ListTopic figures_topic() {
+  return {"figures", "figures of summary.json that expect: may ask for", [] {
+            std::vector<ListEntry> entries;
+            for (const std::string& name : figure_names()) {
+              entries.push_back({name, ""});
+            }
+            return entries;
+          }};
+}
+
+ListTopic exit_codes_topic() {
+  return {"exit-codes", "what the process says when it ends", [] {
+            std::vector<ListEntry> entries;
+            entries.reserve(kExitCodeMeanings.size());
+            for (const auto& [code, meaning] : kExitCodeMeanings) {
+              entries.push_back({std::to_string(as_int(code)), std::string{meaning}});
+            }
+            return entries;
+          }};
+}
+
+}  // namespace sensotwin::twin

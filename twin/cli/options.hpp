@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <CLI/CLI.hpp>
+
+#include "twin/cli/commands.hpp"
+
+/// Options that several commands share, spelt once.
+namespace sensotwin::twin {
+
+/// SCENE, --seed and --set. `choice` must outlive the parse; so must what the other functions get.
+void add_scene_options(CLI::App& app, SceneChoice& choice);
+/// --out and --force.
+void add_output_options(CLI::App& app, std::optional<std::filesystem::path>& out, bool& force,
+                        const std::string& description);
+/// --seed N. \param store  called with each seed given
+void add_seed_option(CLI::App& app, const std::function<void(std::uint64_t)>& store,
+                     const std::string& description);
+
+/// Check for an option's number: in [min, max]. CLI::Range lets "nan" through.
+[[nodiscard]] CLI::Validator number_between(double min, double max);
+
+/// Decimal or 0x... hexadecimal, 64 bits; nothing for other text (octal included: 010 is ten).
+[[nodiscard]] std::optional<std::uint64_t> seed_from(const std::string& text);
+
+}  // namespace sensotwin::twin

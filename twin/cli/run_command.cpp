@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: MIT
+#include <memory>
+#include <utility>
+
+#include "twin/cli/options.hpp"
+
+namespace sensotwin::twin {
+
+Command make_run_command(Deed<RunOptions> deed) {
+  const auto options = std::make_shared<RunOptions>();
+  return {
+      .name = "run",
+      .summary = "drive the robot's own code through a scene and leave a folder of results",
+      .examples =
+          "twin run scenes/house.yaml\n"
+          "twin run scenes/house.yaml --seed 8 --set mission.map.explorer=dfm --out runs/dfm\n"
+          "twin run scenes/house.yaml --json | jq .verdict",
+      .set_up =
+          [options](CLI::App& app) {
+            add_scene_options(app, options->choice);
+            add_output_options(app, options->out, options->force,
+                               "Folder of the run (default runs/<scene>-<seed>-<time>)");
+            app.add_option("--trace-every", options->trace_every,
+                           "Ticks of 15 ms from row to row of trace.csv")
+                ->option_text("N")
+                ->check(CLI::Range(1, 1'000'000));
+            app.add_flag_callback(
+                "--no-pictures", [options] { options->pictures = false; }, "Leave pictures and charts out");
+          },
+      .run = [options, deed = std::move(deed)](Context& context) { return deed(*options, context); },
+  };
+}
+
+}  // namespace sensotwin::twin

@@ -1,0 +1,90 @@
+// SPDX-License-Identifier: MIT
+#include <fmt/format.h>
+
+#include <ostream>
+
+#include "twin/cli/deed_support.hpp"
+#include "twin/cli/deeds.hpp"
+#include "twin/output/signals.hpp"
+#include "twin/output/summary.hpp"
+#include "twin/run/mapping_run.hpp"
+
+namespace sensotwin::twin {
+namespace {
+
+/// Names that `expect:` may not use are found before the run, not after it.
+void check_expectations(const Scene& scene) {
+  std::vector<FigureLimits> limits;
+  for (const Expectation& expectation : scene.expect) {
+    limits.push_back({expectation.name, expectation.min, expectation.max});
+  }
+  if (const auto complaint = complain_about(limits)) {
+    throw CommandError(ExitCode::kInvalidData, fmt::format("{}: expect: {}", scene.file, *complaint));
+  }
+}
+
+std::string table_of(const Summary& summary) {
+  std::string table;
+  for (const auto& [name, value] : figures_of(summary)) {
+    table += fmt::format("{:<28} {:>14.6g}\n", name, value);
+  }
+  for (const JudgedFigure& figure : summary.expect) {
+    std::string bounds;
+    if (figure.asked.min) {
+      bounds += fmt::format(" at least {:g}", *figure.asked.min);
+    }
+    if (figure.asked.max) {
+      bounds += fmt::format(" at most {:g}", *figure.asked.max);
+    }
+    table += fmt::format("{} {} {:g}, asked{}\n", figure.ok ? "ok    " : "FAILED", figure.asked.name, figure.value, bounds);
+  }
+  return table + fmt::format("verdict {}\n", verdict_of(summary));
+}
+
+ExitCode exit_code_of(const Summary& summary) {
+  if (const auto interruption = pending_interruption()) {
+    return *interruption;
+  }
+  return verdict_of(summary) == "accepted" ? ExitCode::kDone : ExitCode::kNotAccepted;
+}
+
+}  // namespace
+
+ExitCode run_deed(const RunOptions& options, Context& context) {
+  const Scene scene = scene_of(options.choice);
+  check_expectations(scene);
+  const auto path = options.out.value_or(default_run_folder(options.choice.scene, scene.seed, context.utc()));
+  RunFolder folder(path, options.force ? Existing::kReplace : Existing::kRefuse);
+  const auto total = static_cast<double>(scene.world.carpet.tiles.size());
+  Progress progress(context.talk, context.progress, scene.name, "tiles");
+  const double begun = context.wall_s();
+  ProgressState state{.done = 0.0, .total = total, .wall_s = 0.0, .note = {}};
+  std::string note;
+  const MappingRunOptions run{
+      .scene_as_given = options.choice.scene.string(),
+      .trace_every = options.trace_every,
+      .pictures = options.pictures,
+      .keep_going =
+          [&](const RunProgress& now) {
+            state.done = now.tiles_found;
+            state.wall_s = context.wall_s() - begun;
+            note = fmt::format("{:.0f} min, {:.0f} x real time", now.sim_s / 60.0,
+                               now.sim_s / std::max(state.wall_s, 1e-3));
+            state.note = note;
+            if (context.verbosity != Verbosity::kQuiet) {
+              progress.update(state);
+            }
+            return !pending_interruption();
+          },
+      .wall_s = context.wall_s,
+  };
+  const Summary summary = run_mapping(scene, folder, run);
+  if (context.verbosity != Verbosity::kQuiet) {
+    progress.finish(state);
+  }
+  context.out << (context.json ? to_json(summary) : table_of(summary));
+  context.say(fmt::format("results in {}", path.string()));
+  return exit_code_of(summary);
+}
+
+}  // namespace sensotwin::twin

@@ -1,0 +1,109 @@
+// SPDX-License-Identifier: MIT
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <fstream>
+#include <nlohmann/json.hpp>
+#include <ostream>
+#include <thread>
+
+#include "render/charts.hpp"
+#include "render/mapping_pictures.hpp"
+#include "twin/cli/deed_support.hpp"
+#include "twin/cli/deeds.hpp"
+#include "twin/study/epsilon_study.hpp"
+
+namespace sensotwin::twin {
+namespace {
+
+nlohmann::json read_json(const std::filesystem::path& path) {
+  std::ifstream in(path);
+  if (!in) {
+    throw CommandError(ExitCode::kInputMissing, fmt::format("{}: cannot be read; is this the folder of a run?", path.string()));
+  }
+  try {
+    return nlohmann::json::parse(in);
+  } catch (const nlohmann::json::exception& error) {
+    throw CommandError(ExitCode::kInvalidData, fmt::format("{}: {}", path.string(), error.what()));
+  }
+}
+
+/// Times at which a run found its tags, from its events.
+render::ExplorerRun found_in(const std::filesystem::path& folder, const std::string& explorer) {
+  std::ifstream in(folder / "events.jsonl");
+  if (!in) {
+    throw CommandError(ExitCode::kInputMissing, fmt::format("{}: cannot be read", (folder / "events.jsonl").string()));
+  }
+  render::ExplorerRun run{explorer, {{0.0, 0.0}}};
+  int line_number = 0;
+  for (std::string line; std::getline(in, line);) {
+    ++line_number;
+    const auto event = nlohmann::json::parse(line, nullptr, false);
+    if (event.is_discarded() || !event.contains("event") || !event.contains("t_s")) {
+      throw CommandError(ExitCode::kInvalidData,
+                         fmt::format("{}:{}: no event", (folder / "events.jsonl").string(), line_number));
+    }
+    if (event["event"] == "tile_found") {
+      run.found.push_back({event["t_s"].get<double>() / 60.0, static_cast<double>(run.found.size())});
+    }
+  }
+  return run;
+}
+
+}  // namespace
+
+ExitCode chart_deed(const ChartOptions& options, Context& context) {
+  render::TagsOverTime chart;
+  for (const std::filesystem::path& folder : options.runs) {
+    const nlohmann::json summary = read_json(folder / "summary.json");
+    try {
+      const auto& map = summary.at("map");
+      chart.scene = std::filesystem::path(summary.at("scene").get<std::string>()).stem().string();
+      chart.seed = summary.at("seed").get<std::uint64_t>();
+      chart.tags_total = std::max(chart.tags_total, map.at("tiles_mapped").get<int>());
+      chart.runs.push_back(found_in(folder, map.at("explorer").get<std::string>()));
+    } catch (const nlohmann::json::exception& error) {
+      throw CommandError(ExitCode::kInvalidData,
+                         fmt::format("{}: {}", (folder / "summary.json").string(), error.what()));
+    }
+  }
+  chart.paper_marks = options.paper_marks;
+  const auto drawn = drawn_or_throw(render::draw(render::tags_over_time_chart(chart)));
+  const auto path = options.out.value_or("tags_over_time.png");
+  write_picture(path, drawn.image, fmt::format("scene {}, seed {}", chart.scene, chart.seed), options.force);
+  context.out << path.string() << '\n';
+  return ExitCode::kDone;
+}
+
+ExitCode epsilon_deed(const EpsilonOptions& options, Context& context) {
+  EpsilonStudyOptions study;
+  study.maps_per_cell = options.maps_per_cell;
+  study.seed = options.seed;
+  study.jobs = options.jobs > 0 ? options.jobs : static_cast<int>(std::max(1u, std::thread::hardware_concurrency()));
+  study.knowledge = options.knowledge == "bump" ? Knowledge::kBump : Knowledge::kAdjacent;
+  if (!options.explorers.empty()) {
+    study.explorers.clear();
+  }
+  for (const std::string& name : options.explorers) {
+    const auto kind = robot::explorer_kind_from(name);
+    if (!kind) {
+      throw CommandError(ExitCode::kWrongCommandLine, fmt::format("no explorer is called '{}'; twin list explorers names them", name));
+    }
+    study.explorers.push_back(*kind);
+  }
+  Progress progress(context.talk, context.progress, "epsilon", "rooms");
+  const double begun = context.wall_s();
+  const EpsilonStudy result = run_epsilon_study(study, [&](int done, int total) {
+    if (context.verbosity != Verbosity::kQuiet) {
+      progress.update({.done = static_cast<double>(done), .total = static_cast<double>(total),
+                       .wall_s = context.wall_s() - begun, .note = {}});
+    }
+  });
+  if (options.out) {
+    write_file(*options.out, to_csv(result), options.force);
+  }
+  context.out << (context.json ? to_json(result) : to_table(result));
+  return ExitCode::kDone;
+}
+
+}  // namespace sensotwin::twin

@@ -1,0 +1,62 @@
+// SPDX-License-Identifier: MIT
+#include "twin/devices/emulated_compass_board.hpp"
+
+#include <algorithm>
+#include <cassert>
+
+#include "robot/wire/nmea.hpp"
+
+namespace sensotwin::twin {
+
+EmulatedCompassBoard::EmulatedCompassBoard(const world::CompassDescription& description)
+    : rate_hz_(description.rate_hz), due_(due()) {
+  assert(rate_hz_ > 0.0);
+}
+
+robot::Instant EmulatedCompassBoard::due() const {
+  // From the count, not by adding periods: rounding does not pile up.
+  return robot::Instant{robot::from_s(static_cast<double>(sentences_ + 1) / rate_hz_)};
+}
+
+void EmulatedCompassBoard::step(robot::Instant now, double yaw_from_north_rad) {
+  if (now < due_) {
+    return;
+  }
+  while (due_ <= now) {
+    ++sentences_;
+    due_ = due();
+  }
+  if (!plugged_) {
+    return;
+  }
+  const robot::Bytes sentence = robot::encode_hdm({robot::heading_deg_from_yaw_rad(yaw_from_north_rad)});
+  for (const std::uint8_t byte : sentence) {
+    buffer_[(first_ + size_) % kBufferBytes] = byte;
+    if (size_ == kBufferBytes) {
+      first_ = (first_ + 1) % kBufferBytes;
+    } else {
+      ++size_;
+    }
+  }
+}
+
+void EmulatedCompassBoard::unplug() {
+  plugged_ = false;
+  size_ = 0;
+}
+
+bool EmulatedCompassBoard::do_write(robot::ByteView /*bytes*/) {
+  return plugged_;  // the board takes no commands
+}
+
+std::size_t EmulatedCompassBoard::do_read(std::span<std::uint8_t> into) {
+  const std::size_t n = std::min(into.size(), size_);
+  for (std::size_t i = 0; i < n; ++i) {
+    into[i] = buffer_[(first_ + i) % kBufferBytes];
+  }
+  first_ = (first_ + n) % kBufferBytes;
+  size_ -= n;
+  return n;
+}
+
+}  // namespace sensotwin::twin

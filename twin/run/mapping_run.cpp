@@ -1,0 +1,171 @@
+// SPDX-License-Identifier: MIT
+#include "twin/run/mapping_run.hpp"
+
+#include <algorithm>
+
+#include "robot/mapping/explorer_kind.hpp"
+#include "twin/run/map_verdict.hpp"
+#include "twin/run/mapping_twin.hpp"
+#include "twin/run/recovered_map.hpp"
+#include "twin/run/run_pictures.hpp"
+#include "twin/run/run_recorder.hpp"
+#include "world/free_space.hpp"
+
+namespace sensotwin::twin {
+namespace {
+
+/// Ticks between two looks at the outside. Chosen: 15 s of the twin, some ten milliseconds of ours.
+constexpr int kAskEvery = 1000;
+/// One tick in so many is timed part by part; a clock costs as much as a light tick does.
+constexpr int kTimeEvery = 64;
+
+/// Times the parts of a few ticks and scales to the whole.
+class TickTimer {
+ public:
+  explicit TickTimer(const std::function<double()>& wall_s) : wall_s_(wall_s) {}
+  void tick(MappingTwin& twin, RunRecorder& recorder) {
+    if (!wall_s_ || count_++ % kTimeEvery != 0) {
+      twin.tick();
+      recorder.record(twin);
+      return;
+    }
+    const double begun = wall_s_();
+    twin.tick_world();
+    const double world_done = wall_s_();
+    twin.tick_devices();
+    const double devices_done = wall_s_();
+    twin.tick_program();
+    const double program_done = wall_s_();
+    recorder.record(twin);
+    const double recorded = wall_s_();
+    parts_.physics_s += kTimeEvery * (world_done - begun);
+    parts_.devices_s += kTimeEvery * (devices_done - world_done);
+    parts_.controller_s += kTimeEvery * (program_done - devices_done);
+    parts_.log_s += kTimeEvery * (recorded - program_done);
+  }
+  [[nodiscard]] Timing parts() const { return parts_; }
+
+ private:
+  const std::function<double()>& wall_s_;
+  long count_{0};
+  Timing parts_;
+};
+
+/// The tiles that this explorer is there to map.
+const std::set<std::pair<int, int>>& promised_by(const Scene& scene, const world::ReachableTiles& truth) {
+  return scene.mission.map->explorer == robot::ExplorerKind::kSweep ? truth.reachable : truth.grid_reachable;
+}
+
+MapResult map_result(const Scene& scene, const MappingTwin& twin, const MapVerdict& verdict,
+                     const world::ReachableTiles& truth, double energy_wh) {
+  const robot::MappingMission& mission = twin.program().mission();
+  const robot::MissionCounts& counts = mission.counts();
+  MapResult result;
+  result.explorer = robot::name_of(scene.mission.map->explorer);
+  result.tiles_reachable = static_cast<int>(truth.reachable.size());
+  result.tiles_grid_reachable = static_cast<int>(truth.grid_reachable.size());
+  result.tiles_mapped = verdict.mapped;
+  result.tiles_missed = verdict.missed;
+  result.tiles_wrong = verdict.wrong;
+  result.tiles_given_up = counts.tiles_given_up;
+  result.visits = counts.visits;
+  result.visits_paper = mission.explorer().paper_visits();
+  const auto visited = static_cast<double>(mission.map().visited_count());
+  result.epsilon = visited > 0 ? counts.visits / visited - 1.0 : 0.0;
+  result.minutes = robot::to_s(twin.now()) / 60.0;
+  result.metres = mission.navigator().filter().path_length_m();
+  result.turns = mission.navigator().filter().turned_rad() / (robot::kPi / 2.0);
+  result.energy_wh = energy_wh;
+  result.moves = counts.moves;
+  result.moves_missed = counts.moves_missed;
+  result.moves_recovered = counts.misses_recovered;
+  return result;
+}
+
+LinkHealth links_of(const robot::MappingProgram& program) {
+  LinkHealth links;
+  const robot::LinkHealth& base = program.base().health();
+  links.roomba_frames = static_cast<std::int64_t>(base.frames_good);
+  links.roomba_frames_corrupt = static_cast<std::int64_t>(base.frames_corrupt);
+  links.roomba_frames_missed = static_cast<std::int64_t>(base.frames_missed);
+  for (const robot::TagReader* reader : {&program.floor_reader(), &program.forward_reader()}) {
+    links.card_exchanges += reader->health().exchanges;
+    links.card_exchanges_failed += reader->health().removed + reader->health().timeouts;
+  }
+  links.compass_sentences = program.compass().health().headings;
+  links.compass_sentences_corrupt = program.compass().health().bad_checksum;
+  return links;
+}
+
+std::vector<FigureLimits> limits_of(const Scene& scene) {
+  std::vector<FigureLimits> limits;
+  for (const Expectation& expectation : scene.expect) {
+    limits.push_back({expectation.name, expectation.min, expectation.max});
+  }
+  return limits;
+}
+
+/// \returns true when the mission ended by itself or by the time limit, false when it was told to stop
+bool loop(const Scene& scene, MappingTwin& twin, RunRecorder& recorder, TickTimer& timer,
+          const MappingRunOptions& options) {
+  const robot::Instant limit{robot::from_s(scene.limits.time_limit_s)};
+  for (int tick = 0; !twin.done() && twin.now() < limit; ++tick) {
+    timer.tick(twin, recorder);
+    if (tick % kAskEvery == 0 && options.keep_going) {
+      const RunProgress progress{.sim_s = robot::to_s(twin.now()),
+                                 .tiles_found = static_cast<int>(recorder.found().size()),
+                                 .tiles_total = static_cast<int>(scene.world.carpet.tiles.size())};
+      if (!options.keep_going(progress)) {
+        return false;
+      }
+    }
+  }
+  return true;
+}
+
+}  // namespace
+
+Summary run_mapping(const Scene& scene, RunFolder& folder, const MappingRunOptions& options) {
+  const double begun = options.wall_s ? options.wall_s() : 0.0;
+  MappingTwin twin(scene);
+  RunRecorder recorder(folder, options.trace_every);
+  TickTimer timer(options.wall_s);
+  Summary summary;
+  summary.interrupted = !loop(scene, twin, recorder, timer, options);
+  recorder.finish();
+  const double looped = options.wall_s ? options.wall_s() : 0.0;
+
+  std::vector<world::Vec2> carpet_tags;
+  for (const world::Tag& tag : twin.world().tags()) {
+    if (tag.place == world::TagPlace::kCarpet) {
+      carpet_tags.push_back(tag.at_m);
+    }
+  }
+  const world::ReachableTiles truth = world::reachable_tiles(scene.world, scene.robot, {}, carpet_tags);
+  const auto placement = placement_of(scene, twin);
+  const MapVerdict verdict =
+      judge_map(twin.world().tags(), twin.map_id(), placement, promised_by(scene, truth));
+  summary.scene = options.scene_as_given;
+  summary.seed = scene.seed;
+  summary.sim_s = robot::to_s(twin.now());
+  summary.state_hash = twin.hash().text();
+  summary.map = map_result(scene, twin, verdict, truth, recorder.energy_wh());
+  summary.links = links_of(twin.program());
+  summary.expect = judge(limits_of(scene), figures_of(summary));
+
+  write_map(folder, recovered_grid(twin.program().mission(), scene.world.carpet.tile_m));
+  if (options.pictures) {
+    draw_run(scene, twin, recorder, verdict, placement, summary, folder);
+  }
+  folder.write("summary.json", to_json(summary));
+  if (options.wall_s) {
+    Timing timing = timer.parts();
+    timing.sim_s = summary.sim_s;
+    timing.wall_s = looped - begun;
+    timing.render_s = options.wall_s() - looped;
+    folder.write("timing.json", to_json(timing));
+  }
+  return summary;
+}
+
+}  // namespace sensotwin::twin

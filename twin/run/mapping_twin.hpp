@@ -1,0 +1,70 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstdint>
+#include <optional>
+
+#include "robot/base/random.hpp"
+#include "robot/base/time.hpp"
+#include "robot/program/mapping_program.hpp"
+#include "twin/devices/emulated_card_reader.hpp"
+#include "twin/devices/emulated_compass_board.hpp"
+#include "twin/devices/emulated_roomba.hpp"
+#include "twin/output/state_hash.hpp"
+#include "twin/scene/scene.hpp"
+#include "world/world.hpp"
+
+namespace sensotwin::twin {
+
+/// A Roomba in a house, as bytes see it: the world, the emulated devices in it, and at the other end of their wires the
+/// very program that runs on the machine. Lock-step in virtual time: one tick is 15 ms of everything.
+///
+/// Neither copies nor moves: the program holds references to the devices.
+class MappingTwin {
+ public:
+  /// \pre scene.mission.map
+  explicit MappingTwin(const Scene& scene);
+  MappingTwin(const MappingTwin&) = delete;
+  MappingTwin& operator=(const MappingTwin&) = delete;
+
+  /// World, then devices, then program; in that order, so that the program sees the end of the tick.
+  void tick();
+
+  [[nodiscard]] robot::Instant now() const { return now_; }
+  [[nodiscard]] bool done() const { return program_.done(); }
+  [[nodiscard]] world::World& world() { return world_; }
+  [[nodiscard]] const world::World& world() const { return world_; }
+  [[nodiscard]] robot::MappingProgram& program() { return program_; }
+  [[nodiscard]] const robot::MappingProgram& program() const { return program_; }
+  /// What the mainboard sampled last.
+  [[nodiscard]] const world::RoombaInputs& inputs() const { return inputs_; }
+  /// Over the moving state of every tick so far.
+  [[nodiscard]] const StateHash& hash() const { return hash_; }
+  /// Map id that this run's program writes into tags.
+  [[nodiscard]] std::uint32_t map_id() const { return map_id_; }
+
+  /// For those who time the parts: tick() is these three in a row.
+  void tick_world();
+  void tick_devices();
+  void tick_program();
+
+ private:
+  robot::RandomStream random_;
+  std::uint32_t map_id_;
+  world::World world_;
+  world::RoombaInputs inputs_;
+  world::RoombaOutputs outputs_;
+  EmulatedRoomba roomba_;
+  EmulatedSerial serial_;
+  EmulatedCardReader floor_reader_;
+  EmulatedCardReader forward_reader_;
+  EmulatedCompassBoard compass_;
+  robot::MappingProgram program_;
+  robot::Instant now_;
+  StateHash hash_;
+};
+
+/// The program's configuration as the scene's robot and mission sections say it: the same keys configure the machine.
+[[nodiscard]] robot::MappingProgramConfig mapping_config_of(const Scene& scene, std::uint32_t map_id);
+
+}  // namespace sensotwin::twin

@@ -1,0 +1,19 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "twin/scene/problem.hpp"
+#include "twin/scene/yaml_tree.hpp"
+
+namespace sensotwin::twin {
+
+/// Puts the value of "key.path[index]=value" into the tree, so that it is read and checked like the file
+/// itself. \returns false when the text is not of that form; other mistakes are appended to `problems` with
+/// the place
+///          "--set key.path=value"
+[[nodiscard]] bool apply_override(YamlNode& root, const std::string& assignment,
+                                  std::vector<Problem>& problems);
+
+}  // namespace sensotwin::twin

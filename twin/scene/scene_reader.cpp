@@ -1,0 +1,159 @@
+// SPDX-License-Identifier: MIT
+#include "twin/scene/scene_reader.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cctype>
+#include <utility>
+
+#include "twin/scene/field_reader.hpp"
+#include "twin/scene/fields.hpp"
+#include "twin/scene/floor_plan.hpp"
+#include "twin/scene/map_import.hpp"
+#include "twin/scene/override.hpp"
+#include "twin/scene/scene_checks.hpp"
+#include "twin/scene/text_file.hpp"
+#include "twin/scene/yaml_tree.hpp"
+
+namespace sensotwin::twin {
+namespace {
+
+/// The first comment line that says something, for scenes without `title:`. Lines for tools are passed over.
+std::string first_comment(const std::string& text) {
+  std::size_t from = 0;
+  while (from < text.size() && text[from] == '#') {
+    const std::size_t end = std::min(text.find('\n', from), text.size());
+    std::string line = text.substr(from, end - from);
+    line.erase(0, line.find_first_not_of("# \t"));
+    while (!line.empty() && std::isspace(static_cast<unsigned char>(line.back())) != 0) {
+      line.pop_back();
+    }
+    const bool for_tools = line.starts_with("SPDX-") || line.starts_with("yaml-language-server:");
+    if (!line.empty() && !for_tools) {
+      return line;
+    }
+    from = end + 1;
+  }
+  return "";
+}
+
+/// The floor of the scene's room or map; its walls are put into the world.
+std::optional<FloorPlan> build_walls(Scene& scene, const std::filesystem::path& folder, SceneChecks& checks,
+                                     const FieldReader& reader, std::vector<Problem>& problems,
+                                     int& exit_code) {
+  if (scene.layout.room) {
+    if (!checks.room()) {
+      return std::nullopt;
+    }
+    scene.world.walls.push_back({scene.layout.room->walls_m, true});
+    for (const Partition& partition : scene.layout.room->partitions) {
+      // Two points close no loop.
+      scene.world.walls.push_back({partition.points_m, partition.closed && partition.points_m.size() > 2});
+    }
+    return FloorPlan(scene.layout.room->walls_m);
+  }
+  if (!scene.layout.map || scene.layout.map->file.empty()) {
+    return std::nullopt;
+  }
+  try {
+    OccupancyMap map = read_map(folder / scene.layout.map->file);
+    scene.world.walls = outline(map);
+    if (map.count(Cell::kFree) == 0) {
+      problems.push_back({reader.place("world.map.file"), "world.map.file", "the map has no free cell",
+                          "expected floor: are negate and free_thresh right?"});
+      return std::nullopt;
+    }
+    return FloorPlan(std::move(map));
+  } catch (const SceneError& error) {
+    if (error.exit_code() == kExitMissing) {
+      exit_code = kExitMissing;
+    }
+    for (Problem problem : error.problems()) {
+      if (problem.place.line == 0) {  // of the file as a whole: the mistake is here, where it is named
+        problem = {reader.place("world.map.file"), "world.map.file",
+                   problem.place.source + ": " + problem.what, problem.hint};
+      }
+      problems.push_back(std::move(problem));
+    }
+    return std::nullopt;
+  }
+}
+
+void furnish(Scene& scene, const FloorPlan& floor, SceneChecks& checks, const FieldReader& reader,
+             std::vector<Problem>& problems) {
+  if (checks.carpet_size(floor)) {
+    scene.world.carpet = lay_carpet(scene.layout.carpet, floor);
+    scene.layout.carpet.origin_m = scene.world.carpet.origin_m;
+  }
+  checks.on_floor(floor);
+  if (reader.has("robot.start.at_m") || !problems.empty()) {
+    return;
+  }
+  if (const std::optional<robot::Pose2> start = find_start(scene)) {
+    scene.robot.X_WR_start = *start;
+  } else {
+    problems.push_back({reader.place("robot.start"), "robot.start", "no tile has room for the robot",
+                        "expected a start: { at_m: [x, y], heading_deg: 0 }"});
+  }
+}
+
+YamlNode parse_with_overrides(const std::string& text, const std::string& source,
+                              const SceneOverrides& overrides, std::vector<Problem>& problems) {
+  YamlNode root = parse_yaml(text, source, problems);
+  if (problems.empty() && root.kind == YamlKind::kNothing) {
+    problems.push_back({{source, 1, 1}, "", "the file holds no scene", "expected version, seed, world ..."});
+  } else if (problems.empty() && root.kind != YamlKind::kSection) {
+    problems.push_back({root.place, "", "is " + root.describe(), "expected keys: version, seed, world ..."});
+  }
+  if (!problems.empty()) {
+    throw SceneError(problems, kExitInvalid);
+  }
+  for (const std::string& assignment : overrides.set) {
+    if (!apply_override(root, assignment, problems)) {
+      throw SceneError(problems, kExitUsage);
+    }
+  }
+  if (overrides.seed && !apply_override(root, fmt::format("seed={}", *overrides.seed), problems)) {
+    throw SceneError(problems, kExitUsage);
+  }
+  return root;
+}
+
+}  // namespace
+
+Scene read_scene(const std::filesystem::path& file, const SceneOverrides& overrides) {
+  return read_scene_text(read_text_file(file, "scene"), file, overrides);
+}
+
+Scene read_scene_text(const std::string& text, const std::filesystem::path& file,
+                      const SceneOverrides& overrides) {
+  std::vector<Problem> problems;
+  const YamlNode root = parse_with_overrides(text, file.string(), overrides, problems);
+
+  Scene scene;
+  scene.file = file.string();
+  scene.name = file.stem().string();
+  FieldReader reader(root, problems);
+  visit_fields(reader, scene);
+  reader.finish();
+  if (scene.title.empty()) {
+    scene.title = first_comment(text);
+  }
+  if (!reader.has("mission")) {
+    scene.mission.map.emplace();
+  }
+
+  int exit_code = kExitInvalid;
+  SceneChecks checks(scene, reader, problems);
+  checks.by_itself();
+  if (const auto floor = build_walls(scene, file.parent_path(), checks, reader, problems, exit_code)) {
+    furnish(scene, *floor, checks, reader, problems);
+  }
+  if (!problems.empty()) {
+    throw SceneError(std::move(problems), exit_code);
+  }
+  return scene;
+}
+
+}  // namespace sensotwin::twin

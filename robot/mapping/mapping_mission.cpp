@@ -4,6 +4,12 @@
 #include <utility>
 
 namespace sensotwin::robot {
+namespace {
+
+/// Standing still on the first tag, so that what is seen is seen twice.
+constexpr Duration kFirstLook = std::chrono::milliseconds{700};
+
+}  // namespace
 
 MappingMission::MappingMission(const MappingConfig& config, std::unique_ptr<Explorer> explorer)
     : config_(config),
@@ -48,6 +54,8 @@ Task<> MappingMission::run() {
     finished_ = true;
     co_return;
   }
+  co_await pilot_.wait_until(io_.sensed.stamp + kFirstLook);
+  co_await mover_.look_behind();
   co_await dwell(begun, true);
   succeeded_ = true;
   for (;;) {

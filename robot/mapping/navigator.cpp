@@ -11,6 +11,8 @@ constexpr double kRimSpeed_mps = 0.025;
 /// The grid is refreshed after this much travel or turn: half a cell, and what moves a beam's end by half a cell.
 constexpr double kLookStep_m = 0.0125;
 constexpr double kLookStep_rad = 0.04;
+/// And standing still every so many steps, 0.3 s.
+constexpr int kLookSteps = 20;
 /// The sweep clears this much less than the body, for the error of the pose.
 constexpr double kSweepMargin_m = 0.03;
 /// A compass indoors is bent by iron, the same way for as long as the robot is near it: one reading a tile, trusted to
@@ -60,9 +62,10 @@ void Navigator::sense_obstacles(const Sensed& sensed) {
     swept_at_m_ = X_MR.p_m;
   }
   if ((X_MR.p_m - looked_at_m_).norm() < kLookStep_m &&
-      std::abs(wrap_angle(X_MR.yaw_rad - looked_yaw_rad_)) < kLookStep_rad) {
+      std::abs(wrap_angle(X_MR.yaw_rad - looked_yaw_rad_)) < kLookStep_rad && ++steps_since_look_ < kLookSteps) {
     return;
   }
+  steps_since_look_ = 0;
   looked_at_m_ = X_MR.p_m;
   looked_yaw_rad_ = X_MR.yaw_rad;
   for (std::size_t i = 0; i < sensed.light_bump.size(); ++i) {

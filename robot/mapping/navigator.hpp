@@ -60,6 +60,7 @@ class Navigator {
   Vec2 swept_at_m_{1e9, 1e9};
   Vec2 looked_at_m_{1e9, 1e9};
   double looked_yaw_rad_{1e9};
+  int steps_since_look_{0};
   bool in_field_{false};
   std::optional<TagUid> uid_;
   std::optional<TagUid> identified_;

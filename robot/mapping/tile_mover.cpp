@@ -40,15 +40,25 @@ Line TileMover::line_of(Tile from, Direction d) const {
 }
 
 void TileMover::see_passages() {
+  // Driving on, the beams have swept sides of the last tile that were still dark on arrival.
+  see_passages_of(at_);
   for (const Direction d : kDirections) {
-    const Tile next = neighbour(at_, d);
-    if (map_.passage(at_, d) != Passage::kUnknown || map_.visited(next)) {
+    if (map_.visited(neighbour(at_, d))) {
+      see_passages_of(neighbour(at_, d));
+    }
+  }
+}
+
+void TileMover::see_passages_of(Tile tile) {
+  for (const Direction d : kDirections) {
+    const Tile next = neighbour(tile, d);
+    if (map_.passage(tile, d) != Passage::kUnknown || map_.visited(next)) {
       continue;
     }
-    const Line line = line_of(at_, d);
+    const Line line = line_of(tile, d);
     const double reach = config_.tile_m - config_.read_radius_m;
     if (navigator_.floor().blocks(line.from_M_m, line.from_M_m + reach * line.along(), kSureClearance_m)) {
-      map_.mark_passage(at_, d, Passage::kBlocked);
+      map_.mark_passage(tile, d, Passage::kBlocked);
       log_.add(io_.sensed.stamp, MissionEventKind::kPassageSeen, next);
     }
   }
@@ -150,6 +160,14 @@ Task<bool> TileMover::find_origin() {
   heading_ = Direction::kEast;
   arrive(Tile{}, tag, true);
   co_return true;
+}
+
+Task<> TileMover::look_behind() {
+  // The outer beams look 65 degrees aside: a turn of 120 shows them what is behind. Back the same way, so that what the
+  // wheels get wrong in turning cancels.
+  const double ahead = navigator_.pose().yaw_rad;
+  co_await pilot_.turn_to(wrap_angle(ahead + rad_from_deg(120)));
+  co_await pilot_.turn_to(ahead);
 }
 
 Task<> TileMover::settle() {

@@ -33,10 +33,12 @@ class TileMover {
   Task<MoveEnd> go(Tile target);
   /// Goes to `target` by any way the floor may offer.
   Task<MoveEnd> detour(Tile target);
+  /// Turns aside and back, so that the light bumper has seen all four sides of the tile.
+  Task<> look_behind();
   /// Brings the robot to rest over the tag of at().
   Task<> settle();
 
-  /// Marks those passages of at() blocked that the light bumper has seen something in.
+  /// Marks those passages of at() and of its visited neighbours blocked that the light bumper has seen something in.
   void see_passages();
 
   /// The tile whose tag was read last.
@@ -51,6 +53,7 @@ class TileMover {
  private:
   [[nodiscard]] Line line_of(Tile from, Direction d) const;
   [[nodiscard]] double clearest_aim(const Line& line, double length_m) const;
+  void see_passages_of(Tile tile);
   Task<> face(Direction d);
   Task<MoveEnd> roll(Tile from, Tile target, Direction d);
   Task<MoveEnd> give_way(Tile from, Line line);

@@ -66,6 +66,30 @@ TEST(FloorGrid, ClearsNothingBeyondTheBody) {
   EXPECT_FALSE(grid.swept(FloorGrid::cell_at(kThere_m)));
 }
 
+TEST(FloorGrid, ForgetsWhatManyBeamsWentThrough) {
+  FloorGrid grid;
+  for (int i = 0; i < 100; ++i) {
+    grid.add_hit(kThere_m);
+  }
+  const Vec2 aside{0.2, 0.0};
+  grid.see_through(kThere_m - aside, kThere_m + aside);
+  EXPECT_TRUE(grid.occupied(FloorGrid::cell_at(kThere_m))) << "one beam past a leg says little";
+  for (int i = 0; i < 20; ++i) {
+    grid.see_through(kThere_m - aside, kThere_m + aside);
+  }
+  EXPECT_FALSE(grid.occupied(FloorGrid::cell_at(kThere_m)));
+  EXPECT_FALSE(grid.swept(FloorGrid::cell_at(kThere_m))) << "seen through is not driven over";
+}
+
+TEST(FloorGrid, ForgetsNothingBehindTheEndOfABeam) {
+  FloorGrid grid;
+  put_obstacle(grid, kThere_m);
+  for (int i = 0; i < 20; ++i) {
+    grid.see_through(kThere_m - Vec2{0.2, 0.0}, kThere_m - Vec2{0.02, 0.0});
+  }
+  EXPECT_TRUE(grid.occupied(FloorGrid::cell_at(kThere_m)));
+}
+
 TEST(FloorGrid, ForbidsTheCentreWhereTheBumperWasPressed) {
   FloorGrid grid;
   grid.forbid_centre(kThere_m);

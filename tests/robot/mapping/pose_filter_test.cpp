@@ -105,7 +105,7 @@ class TagRow {
 
 /// A filter that knows where along the row the robot is, but not on which side of it.
 PoseFilter unsure_across(double x_m) {
-  PoseFilter filter{OdometryModel{}};
+  PoseFilter filter{OdometryModel{}, CompassModel{}};
   filter.reset({{x_m, 0.0}, 0.0}, 0.04, 0.02);
   return filter;
 }
@@ -179,14 +179,14 @@ TEST(AMissedTag, MakesTheOnlyBeliefUnsurer) {
 }
 
 TEST(AMissedTag, SaysNothingToARobotThatPassedBesideIt) {
-  PoseFilter filter{OdometryModel{}};
+  PoseFilter filter{OdometryModel{}, CompassModel{}};
   filter.reset({{0.0, 0.10}, 0.0}, 0.01, 0.02);
   filter.miss_zone(TagRow::zone(0), {1.0, 0.0});
   EXPECT_NEAR(filter.across_sigma_m(), 0.01, 1e-9);
 }
 
 TEST(APoseFilter, ComesBackFromABeliefThatWasFarTooSure) {
-  PoseFilter filter{OdometryModel{}};
+  PoseFilter filter{OdometryModel{}, CompassModel{}};
   // 10 cm wrong along the row, and said to be known to 5 mm.
   filter.reset({{-0.3, 0.0}, 0.0}, 0.005, 0.01);
   TagRow row{{{-0.2, 0.03}, 0.0}, {}, RandomStream{1}};
@@ -195,7 +195,7 @@ TEST(APoseFilter, ComesBackFromABeliefThatWasFarTooSure) {
 }
 
 TEST(APoseFilter, CountsTheWayThatItsWheelsRolled) {
-  PoseFilter filter{OdometryModel{}};
+  PoseFilter filter{OdometryModel{}, CompassModel{}};
   const double per_count = OdometryModel{}.metres_per_count;
   filter.drive(1000, 1000);
   filter.drive(-500, -500);
@@ -205,9 +205,18 @@ TEST(APoseFilter, CountsTheWayThatItsWheelsRolled) {
   EXPECT_NEAR(filter.turned_rad(), 200 * per_count / OdometryModel{}.wheel_base_m, 1e-9);
 }
 
-/// Steers along the row, 3 cm to the left of it, by what the filter believes: the law of Pilot::follow.
+TEST(APoseFilter, IsSomewhereInTheZoneOfTheTagItWasFoundAt) {
+  PoseFilter filter = unsure_across(0.0);
+  filter.find_at(TagRow::zone(1));
+  EXPECT_NEAR(filter.pose().p_m.x(), kTile_m, 0.05);
+  EXPECT_GE(filter.across_sigma_m(), 0.03) << "half of the zone's radius, less what was known before";
+  EXPECT_LE(filter.across_sigma_m(), 0.05);
+}
+
+/// Steers along the row, MappingConfig's 3.5 cm to the left of it, by what the filter believes: the law of
+/// Pilot::follow.
 double steer(const PoseFilter& filter) {
-  const double astray = filter.pose().yaw_rad + std::atan((filter.pose().p_m.y() - 0.03) / 0.20);
+  const double astray = filter.pose().yaw_rad + std::atan((filter.pose().p_m.y() - 0.035) / 0.20);
   return std::clamp(-4.0 * astray, -1.5, 1.5);
 }
 

@@ -22,8 +22,15 @@ void drive_straight(PoseTrack& track, double distance_m) {
   }
 }
 
+void turn(PoseTrack& track, double rad) {
+  const double wheel_m = rad * OdometryModel{}.wheel_base_m / 2.0;
+  for (int i = 0; i < 100; ++i) {
+    track.drive(-wheel_m / 100, wheel_m / 100);
+  }
+}
+
 PoseTrack surely_at(const Pose2& X_MR, const OdometryModel& model = {}) {
-  PoseTrack track{model};
+  PoseTrack track{model, CompassModel{}};
   track.reset(X_MR, 0.0, 0.0);
   return track;
 }
@@ -32,10 +39,7 @@ TEST(APoseTrack, FollowsTheEncodersOfAnUnbiasedRobot) {
   PoseTrack track = surely_at({});
   drive_straight(track, 1.0);
   EXPECT_NEAR(track.pose().p_m.x(), 1.0, 1e-9);
-  const double quarter_m = OdometryModel{}.wheel_base_m * kPi / 4.0;
-  for (int i = 0; i < 100; ++i) {
-    track.drive(-quarter_m / 100, quarter_m / 100);
-  }
+  turn(track, kPi / 2.0);
   EXPECT_NEAR(track.pose().yaw_rad, kPi / 2.0, 1e-9);
   drive_straight(track, -0.5);
   EXPECT_NEAR((track.pose().p_m - Vec2{1.0, -0.5}).norm(), 0.0, 1e-9);
@@ -60,17 +64,14 @@ TEST(APoseTrack, GrowsUnsureAsItsModelSays) {
 TEST(APoseTrack, GrowsUnsureOfItsHeadingWhenItTurns) {
   const OdometryModel model;
   PoseTrack track = surely_at({}, model);
-  const double quarter_m = model.wheel_base_m * kPi / 4.0;
-  for (int i = 0; i < 100; ++i) {
-    track.drive(-quarter_m / 100, quarter_m / 100);
-  }
+  turn(track, kPi / 2.0);
   const double systematic = model.turn_scale_sigma * kPi / 2.0;
   const double noise = model.turn_sigma_rad * std::sqrt(kPi / 2.0);
   EXPECT_NEAR(track.yaw_sigma_rad(), std::hypot(systematic, noise), 0.0005);
 }
 
 TEST(APoseTrack, TakesAPreciseMeasurementForTheTruth) {
-  PoseTrack track{OdometryModel{}};
+  PoseTrack track{OdometryModel{}, CompassModel{}};
   track.reset({}, 0.03, 0.05);
   track.correct_position(kY, 0.02, 0.0001);
   EXPECT_NEAR(track.pose().p_m.y(), 0.02, 0.0001);
@@ -79,7 +80,7 @@ TEST(APoseTrack, TakesAPreciseMeasurementForTheTruth) {
 }
 
 TEST(APoseTrack, MeetsAnEquallySureMeasurementHalfWay) {
-  PoseTrack track{OdometryModel{}};
+  PoseTrack track{OdometryModel{}, CompassModel{}};
   track.reset({}, 0.03, 0.05);
   track.correct_position(kY, 0.02, 0.03);
   EXPECT_NEAR(track.pose().p_m.y(), 0.01, 1e-9);
@@ -87,7 +88,7 @@ TEST(APoseTrack, MeetsAnEquallySureMeasurementHalfWay) {
 }
 
 TEST(APoseTrack, ThinksAnExpectedMeasurementLikelierThanASurprisingOne) {
-  PoseTrack expected{OdometryModel{}};
+  PoseTrack expected{OdometryModel{}, CompassModel{}};
   expected.reset({}, 0.03, 0.05);
   PoseTrack surprised = expected;
   const double likely = expected.correct_position(kY, 0.0, 0.01);
@@ -96,11 +97,36 @@ TEST(APoseTrack, ThinksAnExpectedMeasurementLikelierThanASurprisingOne) {
   EXPECT_NEAR(likely - unlikely, 0.5 * 0.10 * 0.10 / (0.03 * 0.03 + 0.01 * 0.01), 1e-9);
 }
 
-TEST(APoseTrack, CorrectsItsHeadingTheShortWayRound) {
-  PoseTrack track{OdometryModel{}};
-  track.reset({{0.0, 0.0}, rad_from_deg(179)}, 0.01, 0.05);
-  track.correct_heading(rad_from_deg(-179), 0.0001);
-  EXPECT_NEAR(track.pose().yaw_rad, rad_from_deg(-179), 0.001);
+TEST(APoseTrack, LearnsFromItsFirstCompassReadingOnlyWhereNorthIs) {
+  PoseTrack track{OdometryModel{}, CompassModel{}};
+  track.reset({{0.0, 0.0}, 0.3}, 0.01, 0.05);
+  track.correct_by_compass(2.0);
+  EXPECT_NEAR(track.pose().yaw_rad, 0.3, 1e-9);
+  EXPECT_NEAR(track.yaw_sigma_rad(), 0.05, 1e-4);
+}
+
+// Counted 90 degrees, turned 95. The wheels' quarter turn is known to hypot(2 % of it, 3 % sqrt of it) =
+// 0.049 rad; two readings to 0.026 each and the bias's walk of 0.021: 0.042. The truth is believed by 0.049^2
+// / (0.049^2 + 0.042^2).
+TEST(APoseTrack, TakesTheCompassesWordForATurnOnTheSpot) {
+  for (const double facing : {0.0, kPi - 0.4}) {
+    PoseTrack track = surely_at({{0.0, 0.0}, facing});
+    track.correct_by_compass(wrap_angle(facing + 1.0));
+    turn(track, kPi / 2.0);
+    track.correct_by_compass(wrap_angle(facing + 1.0 + rad_from_deg(95)));
+    const double taken_deg = deg_from_rad(wrap_angle(track.pose().yaw_rad - facing)) - 90.0;
+    EXPECT_NEAR(taken_deg, 5.0 * 0.58, 0.4) << "facing " << facing;
+  }
+}
+
+TEST(APoseTrack, GrowsUnsureWhileItTouchesSomething) {
+  const OdometryModel model;
+  PoseTrack track = surely_at({});
+  for (int i = 0; i < 4; ++i) {
+    track.touch();
+  }
+  EXPECT_NEAR(track.position_sigma_m(kX), 2.0 * model.touch_sigma_m, 1e-9);
+  EXPECT_NEAR(track.yaw_sigma_rad(), 2.0 * model.touch_sigma_rad, 1e-9);
 }
 
 TEST(APoseTrack, LearnsFromPlacesAlongTheWayThatItsWheelsAreSmallerThanItThought) {
@@ -118,7 +144,7 @@ TEST(APoseTrack, LearnsFromPlacesAlongTheWayThatItsWheelsAreSmallerThanItThought
 }
 
 TEST(APoseTrack, DoubtsItsPoseByTheFactorAskedFor) {
-  PoseTrack track{OdometryModel{}};
+  PoseTrack track{OdometryModel{}, CompassModel{}};
   track.reset({{1.0, 2.0}, 0.3}, 0.02, 0.05);
   track.doubt(4.0);
   EXPECT_NEAR(track.position_sigma_m(kX), 0.08, 1e-9);
@@ -127,7 +153,7 @@ TEST(APoseTrack, DoubtsItsPoseByTheFactorAskedFor) {
 }
 
 TEST(APoseTrack, MeasuresTheWaySinceItsMarkThroughCorrections) {
-  PoseTrack track{OdometryModel{}};
+  PoseTrack track{OdometryModel{}, CompassModel{}};
   track.reset({}, 0.03, 0.05);
   drive_straight(track, 0.2);
   track.mark(0.005);
@@ -146,7 +172,7 @@ struct Pair {
   RandomStream random;
 
   Pair(const OdometryModel& model, RandomStream stream)
-      : track(model),
+      : track(model, CompassModel{}),
         scale(model.scale_sigma * stream.normal()),
         turn_scale(model.turn_scale_sigma * stream.normal()),
         curvature(model.curvature_sigma_rad_per_m * stream.normal()),

@@ -7,9 +7,9 @@
 #include <string>
 #include <vector>
 
-#include "kinematic_carpet.hpp"
 #include "robot/mapping/explorer_kind.hpp"
 #include "robot/mapping/mapping_mission.hpp"
+#include "tests/robot/mapping/kinematic_carpet.hpp"
 
 namespace sensotwin::robot::testing {
 

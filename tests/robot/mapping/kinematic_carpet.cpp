@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "kinematic_carpet.hpp"
+#include "tests/robot/mapping/kinematic_carpet.hpp"
 
 #include <algorithm>
 #include <array>

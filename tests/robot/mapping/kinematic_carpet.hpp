@@ -63,6 +63,10 @@ class KinematicCarpet {
   /// Tiles of the plan that hold a tag that answers.
   [[nodiscard]] const std::set<Tile>& tags() const { return tags_; }
   [[nodiscard]] static TagUid uid(Tile tile);
+  /// The tag over whose zone the antenna is, whether or not it has said its name yet.
+  [[nodiscard]] std::optional<TagUid> tag_in_field() const {
+    return in_field_ ? std::optional{uid(*in_field_)} : std::nullopt;
+  }
   /// The coordinates that each tag was given last.
   [[nodiscard]] const std::map<TagUid, Tile>& written() const { return written_; }
   /// Furthest that the robot's middle has been over a hole or into a virtual wall's fan.

@@ -32,18 +32,29 @@ T drawn(render::Rendered<T> result, std::string_view name) {
 class RunPainter {
  public:
   RunPainter(const Scene& scene, const MappingTwin& twin, const RunRecorder& recorder, const MapVerdict& verdict,
-             const std::optional<MapPlacement>& placement, const Summary& summary, RunFolder& folder)
+             const std::optional<MapPlacement>& placement, const Summary& summary, RunFolder& folder,
+             const std::function<bool()>& may_go_on)
       : scene_(scene), twin_(twin), recorder_(recorder), verdict_(verdict), placement_(placement), summary_(summary),
-        folder_(folder), context_(drawn(render::make_context(), "pictures")),
+        folder_(folder), may_go_on_(may_go_on), context_(drawn(render::make_context(), "pictures")),
         base_(view_of(scene, twin.world().tags(), twin.world().X_WF())) {}
 
-  void draw_all() {
+  /// \returns false when it was told to stop
+  bool draw_all() {
     const render::SceneView end = final_view();
     save("floorplan.png", drawn(render::draw_top_view(*context_, end), "floorplan.png").image);
+    if (!may_go_on_()) {
+      return false;
+    }
     save("oblique.png", drawn(render::draw_oblique_view(*context_, end), "oblique.png").image);
+    if (!may_go_on_()) {
+      return false;
+    }
     save("recovered.png", drawn(render::draw_recovered_plan(*context_, recovered_view()), "recovered.png").image);
-    draw_progress();
+    if (!may_go_on_() || !draw_progress() || !may_go_on_()) {
+      return false;
+    }
     draw_chart();
+    return true;
   }
 
  private:
@@ -145,7 +156,8 @@ class RunPainter {
     return view;
   }
 
-  void draw_progress() {
+  /// \returns false when it was told to stop
+  bool draw_progress() {
     render::ProgressSheet sheet;
     sheet.title = scene_.title;
     sheet.subtitle = figures();
@@ -161,10 +173,14 @@ class RunPainter {
       const auto picture = drawn(render::draw_top_view(*context_, plan), "snapshots");
       save(fmt::format("snapshots/{:03d}_tiles.png", nth + 1), picture.image);
       sheet.frames.push_back({t_s, std::move(plan)});
+      if (!may_go_on_()) {
+        return false;
+      }
     }
     if (!sheet.frames.empty()) {
       save("progress.png", drawn(render::draw_progress_sheet(*context_, sheet), "progress.png").image);
     }
+    return true;
   }
 
   void draw_chart() {
@@ -188,15 +204,17 @@ class RunPainter {
   const std::optional<MapPlacement>& placement_;
   const Summary& summary_;
   RunFolder& folder_;
+  const std::function<bool()>& may_go_on_;
   std::unique_ptr<render::OffscreenContext> context_;
   render::SceneView base_;
 };
 
 }  // namespace
 
-void draw_run(const Scene& scene, const MappingTwin& twin, const RunRecorder& recorder, const MapVerdict& verdict,
-              const std::optional<MapPlacement>& placement, const Summary& summary, RunFolder& folder) {
-  RunPainter(scene, twin, recorder, verdict, placement, summary, folder).draw_all();
+bool draw_run(const Scene& scene, const MappingTwin& twin, const RunRecorder& recorder, const MapVerdict& verdict,
+              const std::optional<MapPlacement>& placement, const Summary& summary, RunFolder& folder,
+              const std::function<bool()>& may_go_on) {
+  return RunPainter(scene, twin, recorder, verdict, placement, summary, folder, may_go_on).draw_all();
 }
 
 }  // namespace sensotwin::twin

@@ -62,6 +62,9 @@ ExitCode chart_deed(const ChartOptions& options, Context& context) {
       chart.seed = summary.at("seed").get<std::uint64_t>();
       chart.tags_total = std::max(chart.tags_total, map.at("tiles_mapped").get<int>());
       chart.runs.push_back(found_in(folder, map.at("explorer").get<std::string>()));
+      // To the end of the mission: the way back is part of its minutes.
+      auto& found = chart.runs.back().found;
+      found.push_back({std::max(map.at("minutes").get<double>(), found.back().x), found.back().y});
     } catch (const nlohmann::json::exception& error) {
       throw CommandError(ExitCode::kInvalidData,
                          fmt::format("{}: {}", (folder / "summary.json").string(), error.what()));

@@ -147,14 +147,9 @@ void add_walls(Scene3d& scene, const SceneView& view) {
       }
       const bool front = stands_in_front(scene, a, b, room_is_left);
       add_wall_segment(scene, a, b, front ? std::min(kCutWall_m, view.ceiling_m) : view.ceiling_m);
-      if (front) {
-        const Vec3 top_a = lifted(a, view.ceiling_m);
-        const Vec3 top_b = lifted(b, view.ceiling_m);
-        edge(scene, scene.glass, lifted(a, kCutWall_m), top_a, 1.2, palette::kSoftInk.with_alpha(90));
-        edge(scene, scene.glass, lifted(b, kCutWall_m), top_b, 1.2, palette::kSoftInk.with_alpha(90));
+      if (!front) {
+        edge(scene, scene.glass, lifted(a, view.ceiling_m), lifted(b, view.ceiling_m), 2.0, kWallTop);
       }
-      edge(scene, scene.glass, lifted(a, view.ceiling_m), lifted(b, view.ceiling_m), front ? 1.2 : 2.0,
-           front ? palette::kSoftInk.with_alpha(90) : kWallTop);
     }
   }
 }

@@ -55,7 +55,7 @@ Task<> MappingMission::run() {
     co_return;
   }
   co_await pilot_.wait_until(io_.sensed.stamp + kFirstLook);
-  co_await mover_.look_behind();
+  co_await mover_.look_round();
   co_await dwell(begun, true);
   succeeded_ = true;
   for (;;) {

@@ -19,6 +19,8 @@ constexpr double kOffMiddle_m = 0.018;
 /// A belief that gave a reading less than this is wrong, not unlucky: about five standard deviations of 1 cm.
 constexpr double kSurprise = -0.5 * 25.0 + 4.6;
 constexpr double kDoubt = 4.0;
+/// Standard deviation per axis, in radii, of a place that is anywhere in a disc: a half.
+constexpr double kSomewhereInZone = 0.5;
 /// Log weight of a belief by which the antenna went well through the zone of a tag that did not answer.
 const double kSilentTag = std::log(0.02);
 
@@ -135,6 +137,16 @@ void PoseFilter::miss_zone(const ReadZone& zone, const Vec2& along_M) {
     if (across < zone.radius_m - 0.01) {
       belief.log_weight += kSilentTag;
       belief.track.doubt(2.0);
+    }
+  }
+  settle_weights();
+}
+
+void PoseFilter::find_at(const ReadZone& zone) {
+  for (Belief& belief : beliefs_) {
+    belief.track.doubt(kDoubt);
+    for (const Vec2& axis : {Vec2{1.0, 0.0}, Vec2{0.0, 1.0}}) {
+      belief.log_weight += belief.track.correct_position(axis, axis.dot(zone.tag_M_m), kSomewhereInZone * zone.radius_m);
     }
   }
   settle_weights();

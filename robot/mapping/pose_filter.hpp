@@ -38,6 +38,9 @@ class PoseFilter {
   void leave_zone(const ReadZone& zone, double late_m);
   /// The robot has driven along `along_M` past the place of a tag that should have answered, and none did.
   void miss_zone(const ReadZone& zone, const Vec2& along_M);
+  /// The antenna is over this tag, somewhere in its zone, though no belief expected it: all are doubted, then drawn
+  /// there. How far off they were also tells how wrong the heading was.
+  void find_at(const ReadZone& zone);
   void correct_heading(double yaw_rad, double sigma_rad);
 
   /// Of the belief with the greatest weight.

@@ -15,7 +15,8 @@ constexpr double kSureClearance_m = 0.135;
 constexpr double kEasyClearance_m = 0.185;
 /// A one-sided bump moves the aim away from that side by this much, so many times.
 constexpr double kNudge_m = 0.015;
-constexpr int kNudges = 5;
+constexpr int kNudges = 8;
+constexpr int kFutileNudges = 3;
 constexpr double kBackOff_m = 0.02;
 /// Progress between two bumps that counts as getting past something.
 constexpr double kProgress_m = 0.01;
@@ -52,7 +53,7 @@ void TileMover::see_passages() {
 void TileMover::see_passages_of(Tile tile) {
   for (const Direction d : kDirections) {
     const Tile next = neighbour(tile, d);
-    if (map_.passage(tile, d) != Passage::kUnknown || map_.visited(next)) {
+    if (map_.passage(tile, d) == Passage::kBlocked || map_.visited(next)) {
       continue;
     }
     const Line line = line_of(tile, d);
@@ -60,6 +61,9 @@ void TileMover::see_passages_of(Tile tile) {
     if (navigator_.floor().blocks(line.from_M_m, line.from_M_m + reach * line.along(), kSureClearance_m)) {
       map_.mark_passage(tile, d, Passage::kBlocked);
       log_.add(io_.sensed.stamp, MissionEventKind::kPassageSeen, next);
+    } else {
+      // The beams reach as far as a wall at the tile's border; what stands farther off is found by driving there.
+      map_.mark_passage(tile, d, Passage::kOpen);
     }
   }
 }
@@ -162,12 +166,13 @@ Task<bool> TileMover::find_origin() {
   co_return true;
 }
 
-Task<> TileMover::look_behind() {
-  // The outer beams look 65 degrees aside: a turn of 120 shows them what is behind. Back the same way, so that what the
-  // wheels get wrong in turning cancels.
+Task<> TileMover::look_round() {
+  // The outer beams look 65 degrees aside: turns of 120 to either side show them all that is behind, corners included.
+  // As far left as right, so that what the wheels get wrong in turning cancels.
   const double ahead = navigator_.pose().yaw_rad;
-  co_await pilot_.turn_to(wrap_angle(ahead + rad_from_deg(120)));
-  co_await pilot_.turn_to(ahead);
+  for (const double aside_deg : {120.0, 0.0, -120.0, 0.0}) {
+    co_await pilot_.turn_to(wrap_angle(ahead + rad_from_deg(aside_deg)));
+  }
 }
 
 Task<> TileMover::settle() {
@@ -276,6 +281,7 @@ Task<MoveEnd> TileMover::roll(Tile from, Tile target, Direction d) {
   const double aim_most = config_.read_radius_m - kAimMargin_m;
   const double give_up_m = config_.tile_m + config_.read_radius_m + 0.04;
   int nudges = 0;
+  int futile = 0;
   double furthest_m = -1.0;
   for (;;) {
     if (const auto tag = navigator_.identified()) {
@@ -292,10 +298,10 @@ Task<MoveEnd> TileMover::roll(Tile from, Tile target, Direction d) {
       ++log_.counts.bumps;
       const int side = pilot_.bump_side();
       navigator_.remember_bump(side, io_.sensed);
-      const bool progress = s > furthest_m + kProgress_m;
+      futile = s > furthest_m + kProgress_m ? 0 : futile + 1;
       furthest_m = std::max(furthest_m, s);
-      aim -= side * kNudge_m;
-      if (side == 0 || (!progress && nudges > 2) || ++nudges > kNudges || std::abs(aim) > aim_most) {
+      aim = std::clamp(aim - side * kNudge_m, -aim_most, aim_most);
+      if (side == 0 || futile > kFutileNudges || ++nudges > kNudges) {
         co_return co_await give_way(from, line);
       }
       co_await pilot_.back_along(line, s - kBackOff_m, aim);

@@ -33,8 +33,8 @@ class TileMover {
   Task<MoveEnd> go(Tile target);
   /// Goes to `target` by any way the floor may offer.
   Task<MoveEnd> detour(Tile target);
-  /// Turns aside and back, so that the light bumper has seen all four sides of the tile.
-  Task<> look_behind();
+  /// Turns to both sides and back, so that the light bumper has seen everything round the robot.
+  Task<> look_round();
   /// Brings the robot to rest over the tag of at().
   Task<> settle();
 

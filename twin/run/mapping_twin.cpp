@@ -22,7 +22,12 @@ robot::MoveCost move_cost_of(const MapMission& mission, double tile_m) {
   if (mission.pace.tile_s > 0.0) {
     return {.tile_s = mission.pace.tile_s, .quarter_turn_s = 0.0};
   }
-  return {.tile_s = tile_m / mission.pace.speed_mps, .quarter_turn_s = robot::kPi / 2.0 / mission.pace.turn_radps};
+  // A turn costs its angle, the ramps of turning, and the stop before it and the start after it.
+  const robot::MappingConfig drive;
+  const double ramps_s = mission.pace.speed_mps / drive.acceleration_mps2 +
+                         mission.pace.turn_radps / drive.turn_acceleration_radps2;
+  return {.tile_s = tile_m / mission.pace.speed_mps,
+          .quarter_turn_s = robot::kPi / 2.0 / mission.pace.turn_radps + ramps_s};
 }
 
 }  // namespace

@@ -22,6 +22,7 @@ struct MappingConfig {
   double tile_m{0.508};          ///< edge of a carpet tile, 20 inches (SensoBot, III.A)
   Pace pace;
   OdometryModel odometry;
+  CompassModel compass;
   LightBumper light_bumper;
   double body_radius_m{0.17};
   double read_radius_m{0.08};    ///< of the floor antenna's zone

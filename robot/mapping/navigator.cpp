@@ -15,12 +15,6 @@ constexpr double kLookStep_rad = 0.04;
 constexpr int kLookSteps = 20;
 /// The sweep clears this much less than the body, for the error of the pose.
 constexpr double kSweepMargin_m = 0.03;
-/// A compass indoors is bent by iron, the same way for as long as the robot is near it: two readings a tile, trusted to
-/// 7 degrees (algorithms study, C.2: "use the compass only to pick the 90-degree sector").
-constexpr double kCompassEvery_m = 0.25;
-constexpr double kCompassSigma_rad = 0.12;
-/// Share of what a reading differs that is laid to the place's iron rather than to the robot's heading.
-constexpr double kCompassLearning = 0.05;
 /// Placed by hand over a tag: within the zone, square to the tiles within a few degrees.
 constexpr double kPlacedSigma_m = 0.03;
 constexpr double kPlacedYawSigma_rad = 0.05;
@@ -28,7 +22,7 @@ constexpr double kPlacedYawSigma_rad = 0.05;
 }  // namespace
 
 Navigator::Navigator(const MappingConfig& config, const TileMap& map)
-    : config_(config), map_(map), filter_(config.odometry) {
+    : config_(config), map_(map), filter_(config.odometry, config.compass) {
   filter_.reset(Pose2{}, kPlacedSigma_m, kPlacedYawSigma_rad);
 }
 
@@ -42,7 +36,12 @@ void Navigator::sense(const Sensed& sensed) {
   sense_motion(sensed);
   sense_tag(sensed);
   sense_obstacles(sensed);
-  sense_compass(sensed);
+  if (sensed.bump_left || sensed.bump_right) {
+    filter_.touch();
+  }
+  if (sensed.compass_rad) {
+    filter_.correct_by_compass(*sensed.compass_rad);
+  }
 }
 
 void Navigator::sense_motion(const Sensed& sensed) {
@@ -125,23 +124,6 @@ void Navigator::miss(Tile tile, double yaw_M_rad) {
 void Navigator::relocate(Tile tile) {
   filter_.find_at(zone_of(tile));
   entered_ = entry_usable_ = false;
-}
-
-void Navigator::sense_compass(const Sensed& sensed) {
-  if (!sensed.compass_rad) {
-    return;
-  }
-  if (!compass_offset_rad_) {
-    compass_offset_rad_ = wrap_angle(*sensed.compass_rad - pose().yaw_rad);
-    return;
-  }
-  if (filter_.path_length_m() - compass_at_path_m_ > kCompassEvery_m) {
-    compass_at_path_m_ = filter_.path_length_m();
-    const double yaw = wrap_angle(*sensed.compass_rad - *compass_offset_rad_);
-    const double off = wrap_angle(yaw - filter_.pose().yaw_rad);
-    filter_.correct_heading(yaw, kCompassSigma_rad);
-    compass_offset_rad_ = wrap_angle(*compass_offset_rad_ + kCompassLearning * off);
-  }
 }
 
 void Navigator::remember_bump(int side, const Sensed& sensed) {

@@ -50,7 +50,6 @@ class Navigator {
   void sense_motion(const Sensed& sensed);
   void sense_obstacles(const Sensed& sensed);
   void sense_tag(const Sensed& sensed);
-  void sense_compass(const Sensed& sensed);
 
   MappingConfig config_;
   const TileMap& map_;
@@ -66,8 +65,6 @@ class Navigator {
   std::optional<TagUid> identified_;
   bool entered_{false};        ///< rolling, so that the place of entry is known
   bool entry_usable_{false};   ///< and not yet used
-  std::optional<double> compass_offset_rad_;
-  double compass_at_path_m_{0.0};
 };
 
 }  // namespace sensotwin::robot

@@ -14,8 +14,9 @@ const double kNegligible = std::log(1.0 / 200.0);
 /// Beliefs closer than this are one.
 constexpr double kSame_m = 0.012;
 constexpr double kSame_rad = 0.02;
-/// Below this the two mirror images are one: the chord is as good as a diameter.
-constexpr double kOffMiddle_m = 0.018;
+/// Below this the two mirror images are one, and the pass was within this of the middle: q^2 = r^2 - h^2 is known to
+/// 2 h 3 mm = (2.2 cm)^2.
+constexpr double kOffMiddle_m = 0.022;
 /// A belief that gave a reading less than this is wrong, not unlucky: about five standard deviations of 1 cm.
 constexpr double kSurprise = -0.5 * 25.0 + 4.6;
 constexpr double kDoubt = 4.0;
@@ -26,7 +27,8 @@ const double kSilentTag = std::log(0.02);
 
 }  // namespace
 
-PoseFilter::PoseFilter(const OdometryModel& model) : model_(model), beliefs_{{PoseTrack(model), 0.0}} {
+PoseFilter::PoseFilter(const OdometryModel& odometry, const CompassModel& compass)
+    : model_(odometry), beliefs_{{PoseTrack(odometry, compass), 0.0}} {
   beliefs_.reserve(2 * kBeliefs);
 }
 
@@ -98,7 +100,7 @@ void PoseFilter::correct_chord(Belief& belief, const ReadZone& zone, double late
   const bool off_middle = q2 > kOffMiddle_m * kOffMiddle_m;
   const double q = off_middle ? std::sqrt(q2) : 0.0;
   const double across_sigma =
-      off_middle ? std::hypot(half / q * zone.rim_sigma_m, zone.tag_sigma_m) : kOffMiddle_m / 1.2;
+      off_middle ? std::hypot(half / q * zone.rim_sigma_m, zone.tag_sigma_m) : kOffMiddle_m;
   const double along_sigma = std::hypot(zone.rim_sigma_m, zone.tag_sigma_m);
   const double along_value = along.dot(zone.tag_M_m + late) + half;
   for (const double side : {1.0, -1.0}) {
@@ -152,11 +154,19 @@ void PoseFilter::find_at(const ReadZone& zone) {
   settle_weights();
 }
 
-void PoseFilter::correct_heading(double yaw_rad, double sigma_rad) {
+void PoseFilter::correct_by_compass(double reading_rad) {
   for (Belief& belief : beliefs_) {
-    belief.log_weight += belief.track.correct_heading(yaw_rad, sigma_rad);
+    belief.log_weight += belief.track.correct_by_compass(reading_rad);
   }
-  settle_weights();
+  if (beliefs_.size() > 1) {
+    settle_weights();
+  }
+}
+
+void PoseFilter::touch() {
+  for (Belief& belief : beliefs_) {
+    belief.track.touch();
+  }
 }
 
 void PoseFilter::settle_weights() {

@@ -25,7 +25,7 @@ struct ReadZone {
 /// a tag that does not answer) tells which was right. Passing tags off their middle on purpose keeps the images apart.
 class PoseFilter {
  public:
-  explicit PoseFilter(const OdometryModel& model);
+  PoseFilter(const OdometryModel& odometry, const CompassModel& compass);
 
   void reset(const Pose2& X_MR, double position_sigma_m, double yaw_sigma_rad);
   void drive(int counts_left, int counts_right);
@@ -41,7 +41,10 @@ class PoseFilter {
   /// The antenna is over this tag, somewhere in its zone, though no belief expected it: all are doubted, then drawn
   /// there. How far off they were also tells how wrong the heading was.
   void find_at(const ReadZone& zone);
-  void correct_heading(double yaw_rad, double sigma_rad);
+  /// \param reading_rad  counter-clockwise from north
+  void correct_by_compass(double reading_rad);
+  /// The body touches something in this control step.
+  void touch();
 
   /// Of the belief with the greatest weight.
   [[nodiscard]] const Pose2& pose() const { return beliefs_.front().track.pose(); }

@@ -109,8 +109,8 @@ void BareHouse::State::add_robot(const Scene& scene) {
   body->CreateFixture(&fixture);
 }
 
-// Drives the path once in a closed loop, aiming each tick at the twin's next pose from where the body is, and keeps
-// the velocities: Box2D gives the same drive again when they are played back.
+// Drives the path once in a closed loop, aiming each tick at the twin's next pose from where the body is, and
+// keeps the velocities: Box2D gives the same drive again when they are played back.
 void BareHouse::State::learn(const std::vector<robot::Pose2>& path, const world::Vec2& origin_m) {
   const auto tick_s = static_cast<float>(robot::to_s(robot::kTick));
   velocities.reserve(path.size());
@@ -127,7 +127,8 @@ void BareHouse::State::learn(const std::vector<robot::Pose2>& path, const world:
   }
 }
 
-BareHouse::BareHouse(const Scene& scene, const std::vector<robot::Pose2>& path) : state_(std::make_unique<State>()) {
+BareHouse::BareHouse(const Scene& scene, const std::vector<robot::Pose2>& path)
+    : state_(std::make_unique<State>()) {
   assert(std::none_of(scene.world.furniture.begin(), scene.world.furniture.end(),
                       [](const world::Furniture& piece) { return piece.pushable; }));
   const world::Vec2 origin_m = middle_m(scene);

@@ -11,9 +11,9 @@
 
 namespace sensotwin::twin {
 
-/// The yardstick: the twin's house in Box2D and nothing else. The same walls, fixed furniture and shell as fixtures,
-/// the same step, iterations and continuous collision (off), driven where the twin went. No wheels, no sensors, no
-/// tags, no bytes, no program: what any twin built on Box2D has to pay.
+/// The yardstick: the twin's house in Box2D and nothing else. The same walls, fixed furniture and shell as
+/// fixtures, the same step, iterations and continuous collision (off), driven where the twin went. No wheels,
+/// no sensors, no tags, no bytes, no program: what any twin built on Box2D has to pay.
 class BareHouse {
  public:
   /// \param path  the twin's poses in W: at the start, then after each tick

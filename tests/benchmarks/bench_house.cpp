@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
-// How much the twin costs beyond Box2D: the 207-tile house, mapped by IDFM at the Roomba's own pace with every device
-// at byte level, against a bare Box2D loop of the same drive. One iteration is one whole mission. The two take turns in
-// slices of 2.5 simulated minutes, so that a machine that slows down slows both.
+// How much the twin costs beyond Box2D: the 207-tile house, mapped by IDFM at the Roomba's own pace with
+// every device at byte level, against a bare Box2D loop of the same drive. One iteration is one whole
+// mission. The two take turns in slices of 2.5 simulated minutes, so that a machine that slows down slows
+// both.
 #include <benchmark/benchmark.h>
 
 #include <algorithm>

@@ -67,6 +67,9 @@ class TagField {
   int row0_{0};
   int columns_{0};
   int rows_{0};
+  /// No standing tag is nearer to quiet_at_m_ than quiet_m_: until the antenna has gone that far, none can answer.
+  mutable Vec2 quiet_at_m_{0.0, 0.0};
+  mutable double quiet_m_{0.0};
   std::vector<std::int32_t> grid_;  ///< TagIndex of each cell of the tiles' bounding box, -1 where no tile is
 };
 

@@ -83,6 +83,13 @@ class Traction {
   std::array<double, 2> radius_m_;
   double speed_change_mps_;
   double load_N_;  ///< on one driven wheel
+  // What one step of drag and tyre forces needs of the above.
+  double drag_mps_;       ///< speed lost to rolling resistance
+  double drag_rps_{0.0};  ///< the same of turning
+  double grip_Ns_;        ///< largest impulse of one tyre
+  double inverse_mass_;   ///< 1/kg
+  double self_{0.0};      ///< 1/kg, a wheel's impulse on the speed at that wheel
+  double cross_{0.0};     ///< 1/kg, on the speed at the other
   std::array<robot::RandomStream, 2> random_;
   std::array<double, 2> slip_{};
   std::array<double, 2> slip_left_m_{};  ///< way until the next draw

@@ -8,11 +8,9 @@
 #include "robot/wire/oi_packet_tables.hpp"
 
 namespace sensotwin::robot::oi {
-namespace {
-
-/// Sum modulo 256, eight bytes at a time: the even and the odd ones gather in 16-bit lanes, which hold 257 of
-/// them. \pre bytes.size() <= 8 * 257 / 2
-[[nodiscard]] std::uint8_t sum_of(ByteView bytes) {
+std::uint8_t sum_of(ByteView bytes) {
+  // Eight bytes at a time: the even and the odd ones gather in 16-bit lanes, which hold 257 of them.
+  assert(bytes.size() <= 8 * 257 / 2);
   constexpr std::uint64_t kEven = 0x00FF00FF00FF00FFu;
   std::uint64_t lanes = 0;
   std::size_t at = 0;
@@ -27,8 +25,6 @@ namespace {
   }
   return static_cast<std::uint8_t>(sum);
 }
-
-}  // namespace
 
 std::span<std::uint8_t> StreamDecoder::room() {
   if (begin_ > 0) {

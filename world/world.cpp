@@ -434,18 +434,18 @@ double World::work_j() const {
 
 std::uint64_t World::state_hash() const {
   std::uint64_t hash = 0xcbf29ce484222325U;
-  const auto take = [&hash](double value) {
-    const auto bits = std::bit_cast<std::uint64_t>(value);
-    for (unsigned shift = 0; shift < 64; shift += 8) {
-      hash = (hash ^ ((bits >> shift) & 0xFFU)) * 0x100000001b3U;
-    }
+  const auto mix = [&hash](std::uint64_t word) {
+    hash = (hash ^ word) * 0x100000001b3U;
+    hash ^= hash >> 32;  // brings high bits down, which multiplication alone never does
+  };
+  const auto take = [&](double value) { mix(std::bit_cast<std::uint64_t>(value)); };
+  const auto take_two = [&](float one, float other) {
+    mix(std::uint64_t{std::bit_cast<std::uint32_t>(one)} << 32 | std::bit_cast<std::uint32_t>(other));
   };
   const auto take_body = [&](const b2Body& body) {
-    for (const float value :
-         {body.GetPosition().x, body.GetPosition().y, body.GetAngle(), body.GetLinearVelocity().x,
-          body.GetLinearVelocity().y, body.GetAngularVelocity()}) {
-      take(static_cast<double>(value));
-    }
+    take_two(body.GetPosition().x, body.GetPosition().y);
+    take_two(body.GetAngle(), body.GetAngularVelocity());
+    take_two(body.GetLinearVelocity().x, body.GetLinearVelocity().y);
   };
   const State& s = *state_;
   take_body(*s.body);

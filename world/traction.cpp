@@ -112,15 +112,16 @@ BodyVelocity Traction::apply(BodyVelocity v, const Footing& footing) {
   const double b = self_ + softness[1];
   std::array<double, 2> along_Ns{(b * wanted_mps[0] - cross_ * wanted_mps[1]) / (a * b - cross_ * cross_),
                                  0.0};
-  // Sideways they give way together, each by its share.
-  const double inverse_sum = 1.0 / (softness[0] + softness[1]);
-  const double together = softness[0] * softness[1] * inverse_sum;
-  const double sideways_Ns = (nap_mps - v.left_mps) / (inverse_mass_ + together);
+  const double inverse_b = 1.0 / b;
+  // Sideways they give way together, s0 s1 / (s0 + s1), each by its share: the impulse is wanted / (1/m +
+  // that), the share of a tyre the other's softness / (s0 + s1).
+  const double sideways =
+      (nap_mps - v.left_mps) / (inverse_mass_ * (softness[0] + softness[1]) + softness[0] * softness[1]);
   double across_Ns = 0.0;
   for (std::size_t i = 0; i < 2; ++i) {
-    const double share_Ns = sideways_Ns * softness[1 - i] * inverse_sum;
+    const double share_Ns = sideways * softness[1 - i];
     if (i == 1) {
-      along_Ns[1] = (wanted_mps[1] - cross_ * along_Ns[0]) / b;
+      along_Ns[1] = (wanted_mps[1] - cross_ * along_Ns[0]) * inverse_b;
     }
     const double scale = within(along_Ns[i], share_Ns, limit_Ns[i]);
     along_Ns[i] *= scale;

@@ -89,6 +89,7 @@ struct World::State {
 
   RobotDescription robot;
   int steps_per_tick;
+  float step_s;
   ObstacleIndex fixed;
   Vec2 origin_m;  ///< of Box2D's frame in W: the middle of the house, where single precision is finest
   b2World box{b2Vec2{0.0F, 0.0F}};
@@ -135,6 +136,7 @@ World::State::State(const WorldDescription& world, const RobotDescription& robot
                     const PhysicsDescription& physics, const robot::RandomStream& random)
     : robot(robot_description),
       steps_per_tick(physics.steps_per_tick),
+      step_s(static_cast<float>(kTick_s / physics.steps_per_tick)),
       fixed(fixed_outline(world, robot.base.height_m)),
       // From the walls alone, so that a piece added in a corner does not shift the frame and with it the
       // rounding.
@@ -267,7 +269,7 @@ void World::State::step(const std::array<double, 2>& target_mps) {
   body->SetLinearVelocity({static_cast<float>(c * v.forward_mps - s * v.left_mps),
                            static_cast<float>(s * v.forward_mps + c * v.left_mps)});
   body->SetAngularVelocity(static_cast<float>(v.turn_rps));
-  box.Step(static_cast<float>(kTick_s / steps_per_tick), kVelocityIterations, kPositionIterations);
+  box.Step(step_s, kVelocityIterations, kPositionIterations);
   feel_contacts();
 }
 

@@ -88,7 +88,7 @@ bool Roomba::was_sent(const WheelSpeeds& wheels) const {
   }
   return is_sci() ? oi::drive_for(wheels, config_.sci_wheel_base_m) ==
                         oi::drive_for(sent_, config_.sci_wheel_base_m)
-                  : oi::drive_direct_for(wheels) == oi::drive_direct_for(sent_);
+                  : oi::drive_direct_for(wheels) == told_;
 }
 
 bool Roomba::send_wheels(const WheelSpeeds& wheels) {
@@ -96,6 +96,7 @@ bool Roomba::send_wheels(const WheelSpeeds& wheels) {
       is_sci() ? send(oi::drive_for(wheels, config_.sci_wheel_base_m)) : send(oi::drive_direct_for(wheels));
   if (sent) {
     sent_ = wheels;
+    told_ = oi::drive_direct_for(wheels);
     frames_since_sent_ = 0;
   }
   return sent;
@@ -114,6 +115,7 @@ void Roomba::say_start(Instant now) {
            (config_.mode == oi::Mode::kSafe ? send(oi::Safe{}) : send(oi::Full{}));
   }
   sent_ = {};
+  told_ = {};
   if (sent) {
     said_start_ = now;
     ++health_.starts;

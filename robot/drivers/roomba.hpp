@@ -116,6 +116,7 @@ class Roomba {
   RoombaStatus status_{RoombaStatus::kStarting};
   LinkHealth health_;
   WheelSpeeds sent_;
+  oi::DriveDirect told_;  ///< sent_ as the Open Interface spells it
   int frames_since_sent_{0};
   std::optional<Instant> said_start_;
   std::optional<Instant> last_good_;

@@ -27,7 +27,9 @@ std::uint8_t sum_of(ByteView bytes) {
 }
 
 std::span<std::uint8_t> StreamDecoder::room() {
-  if (begin_ > 0) {
+  if (begin_ == end_) {
+    reset();  // nearly always: the last frame was read to its end
+  } else if (begin_ > 0) {
     std::memmove(buffer_.data(), buffer_.data() + begin_, held());
     end_ -= begin_;
     rejected_end_ -= std::min(rejected_end_, begin_);
@@ -65,9 +67,11 @@ std::optional<Result<ByteView, StreamError>> StreamDecoder::reject(StreamError e
 
 std::optional<Result<ByteView, StreamError>> StreamDecoder::next() {
   for (;;) {
-    const auto* header = static_cast<const std::uint8_t*>(
-        held() == 0 ? nullptr : std::memchr(buffer_.data() + begin_, kStreamHeader, held()));
-    skip(header == nullptr ? held() : static_cast<std::size_t>(header - buffer_.data()) - begin_);
+    if (held() > 0 && buffer_[begin_] != kStreamHeader) {
+      const auto* header =
+          static_cast<const std::uint8_t*>(std::memchr(buffer_.data() + begin_, kStreamHeader, held()));
+      skip(header == nullptr ? held() : static_cast<std::size_t>(header - buffer_.data()) - begin_);
+    }
     if (held() < 2) {
       return std::nullopt;
     }

@@ -28,7 +28,8 @@ constexpr int kWriteAttempts = 4;
 /// Rings of a search, 11 cm apart: as far as a tag may be from where it was expected; and, when nothing was found, as
 /// far as the next tile's.
 constexpr int kSearchRings = 3;
-constexpr int kLostRings = 7;
+constexpr int kLostRings = 5;
+constexpr int kRecoverRings = 12;
 
 double yaw_of(Direction d) {
   return wrap_angle(static_cast<int>(d) * kPi / 2.0);
@@ -204,8 +205,11 @@ Task<> TileMover::hold_for_write(Tile tile) {
       const Line line{navigator_.centre_m(tile), yaw};
       if (behind) {
         co_await pilot_.back_along(line, 0.0, 0.0);
-      } else if (!co_await creep_to(navigator_.centre_m(tile))) {
-        break;
+      } else {
+        const bool there = co_await creep_to(navigator_.centre_m(tile), std::nullopt);
+        if (!there) {
+          break;
+        }
       }
       if (!navigator_.anything_in_field()) {
         break;
@@ -292,7 +296,8 @@ Task<MoveEnd> TileMover::roll(Tile from, Tile target, Direction d) {
     }
     const double s = line.along_m(navigator_.pose().p_m);
     if (pilot_.hazard()) {
-      co_return co_await give_way(from, line);
+      const MoveEnd end = co_await give_way(from, line);
+      co_return end;
     }
     if (pilot_.bumped()) {
       ++log_.counts.bumps;
@@ -320,6 +325,11 @@ Task<MoveEnd> TileMover::roll(Tile from, Tile target, Direction d) {
   }
 }
 
+Task<bool> TileMover::recover() {
+  const auto found = co_await search(std::nullopt, at_, kRecoverRings);
+  co_return found.has_value() && *found != MoveEnd::kLost;
+}
+
 Task<MoveEnd> TileMover::give_way(Tile from, Line line) {
   log_.add(io_.sensed.stamp, MissionEventKind::kPassageBumped, neighbour(from, heading_));
   co_await pilot_.back_along(line, 0.0, 0.0);
@@ -327,16 +337,21 @@ Task<MoveEnd> TileMover::give_way(Tile from, Line line) {
   co_return MoveEnd::kBlocked;
 }
 
-Task<bool> TileMover::creep_to(Vec2 p_M_m) {
+bool TileMover::over_tag_other_than(std::optional<Tile> tile) const {
+  const auto tag = navigator_.tag_in_field();
+  return tag && (!tile || map_.tile_of(*tag) != tile);
+}
+
+Task<bool> TileMover::creep_to(Vec2 p_M_m, std::optional<Tile> ignored) {
   const Vec2 way = p_M_m - navigator_.pose().p_m;
-  if (way.norm() < 0.01) {
+  if (way.norm() < 0.01 || over_tag_other_than(ignored)) {
     co_return true;
   }
   const Line line{navigator_.pose().p_m, std::atan2(way.y(), way.x())};
   co_await pilot_.turn_to(line.yaw_rad);
   for (;;) {
     const double left_to_go = way.norm() - line.along_m(navigator_.pose().p_m);
-    if (left_to_go < 0.01 || navigator_.identified()) {
+    if (left_to_go < 0.01 || over_tag_other_than(ignored)) {
       co_return true;
     }
     if (pilot_.bumped() || pilot_.hazard()) {
@@ -363,9 +378,8 @@ Task<std::optional<MoveEnd>> TileMover::search(std::optional<Tile> from, Tile ta
       if (navigator_.floor().blocks(p, p, kSureClearance_m)) {
         continue;
       }
-      co_await creep_to(p);
-      const auto tag = navigator_.identified() ? navigator_.identified() : navigator_.tag_in_field();
-      if (tag) {
+      co_await creep_to(p, from);
+      if (const auto tag = navigator_.tag_in_field()) {
         const std::optional<MoveEnd> end = judge_tag(*tag, from, target);
         if (end) {
           co_await pilot_.brake();

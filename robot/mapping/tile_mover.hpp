@@ -35,6 +35,8 @@ class TileMover {
   Task<MoveEnd> detour(Tile target);
   /// Turns to both sides and back, so that the light bumper has seen everything round the robot.
   Task<> look_round();
+  /// Lost: looks for any tag in growing rings, farther than a move does. \returns false when none was found
+  Task<bool> recover();
   /// Brings the robot to rest over the tag of at().
   Task<> settle();
 
@@ -60,8 +62,12 @@ class TileMover {
   /// Looks for the tag of `target` round its place; that of `from` does not count. Any other tag ends the
   /// search too.
   Task<std::optional<MoveEnd>> search(std::optional<Tile> from, Tile target, int rings);
-  /// Straight and slowly to a point; stops at any tag. \returns false when something was in the way
-  Task<bool> creep_to(Vec2 p_M_m);
+  [[nodiscard]] bool over_tag_other_than(std::optional<Tile> tile) const;
+  /// Straight and slowly to a point; stops at any tag but that of `ignored`. \returns false when something was in the
+  /// way
+  Task<bool> creep_to(Vec2 p_M_m, std::optional<Tile> ignored);
+  /// Back over the tag of at(), or of any known one. \returns false when none was found
+  Task<bool> relocalise();
   [[nodiscard]] std::vector<Vec2> way_to(Tile target) const;
   /// Plans and walks until the target's tag is read, nothing is left to try, or `plans_max` plans were spoilt.
   Task<MoveEnd> approach(Tile target, int plans_max);

@@ -19,6 +19,9 @@ namespace {
 /// Moments of the progress sheet and of snapshots/, as fractions of the tiles found (SensoBot, Figure 6 shows six).
 constexpr std::array<double, 6> kMoments{0.1, 0.25, 0.45, 0.65, 0.85, 1.0};
 
+/// Snapshots are leafed through: smaller than the other pictures, and drawn in less than half the time.
+constexpr render::PictureOptions kSnapshot{.width_px = 1000};
+
 template <class T>
 T drawn(render::Rendered<T> result, std::string_view name) {
   if (!result) {
@@ -116,7 +119,9 @@ class RunPainter {
       const std::size_t back = std::min<std::size_t>(view.trajectory.size(), 4);
       const auto& before = view.trajectory[view.trajectory.size() - back].p_m;
       const double yaw = std::atan2(end.y() - before.y(), end.x() - before.x());
-      view.robot = render::RobotView{{end, yaw}, scene_.robot.base.radius_m, scene_.robot.base.height_m};
+      const bool now = until_s >= summary_.sim_s;
+      view.robot = render::RobotView{now ? twin_.world().X_WR() : robot::Pose2{end, yaw}, scene_.robot.base.radius_m,
+                                     scene_.robot.base.height_m};
     }
     if (!placement_) {
       return view;
@@ -142,15 +147,24 @@ class RunPainter {
 
   [[nodiscard]] render::SceneView recovered_view() const {
     render::SceneView view = base_;
-    view.title = "Recovered floor plan over the true one";
+    view.title = "Recovered plan over the true one, as the tags hold it";
     view.subtitle = figures();
     view.tiles.clear();
     view.tags.clear();
+    view.start.reset();  // the tile (0, 0) says it
+    for (render::LandmarkView& mark : view.landmarks) {
+      mark.label.clear();
+    }
     for (std::size_t i = 0; i < verdict_.tiles.size(); ++i) {
       const TileOutcome outcome = verdict_.tiles[i].outcome;
       if (outcome != TileOutcome::kBeyond) {
         view.tiles.push_back(base_.tiles[i]);
-        view.tiles.back().state = state_of(verdict_.tiles[i]);
+        render::TileView& tile = view.tiles.back();
+        tile.state = state_of(verdict_.tiles[i]);
+        if (outcome == TileOutcome::kMapped && placement_) {
+          const robot::Tile own = tile_in_map(*placement_, verdict_.tiles[i].column, verdict_.tiles[i].row);
+          tile.label = fmt::format("{},{}", own.column, own.row);
+        }
       }
     }
     return view;
@@ -170,7 +184,7 @@ class RunPainter {
       const double t_s = last ? summary_.sim_s : recorder_.found()[nth].t_s;
       render::SceneView plan = view_at(t_s);
       plan.subtitle = fmt::format("{} tiles after {:.1f} min", nth + 1, t_s / 60.0);
-      const auto picture = drawn(render::draw_top_view(*context_, plan), "snapshots");
+      const auto picture = drawn(render::draw_top_view(*context_, plan, kSnapshot), "snapshots");
       save(fmt::format("snapshots/{:03d}_tiles.png", nth + 1), picture.image);
       sheet.frames.push_back({t_s, std::move(plan)});
       if (!may_go_on_()) {
@@ -192,6 +206,8 @@ class RunPainter {
     for (const FoundTile& found : recorder_.found()) {
       run.found.push_back({found.t_s / 60.0, static_cast<double>(run.found.size())});
     }
+    // To the end of the mission: the way back is part of its minutes.
+    run.found.push_back({summary_.map->minutes, run.found.back().y});
     chart.runs.push_back(std::move(run));
     const auto image = drawn(render::draw(render::tags_over_time_chart(chart)), "tags_over_time.png").image;
     save("tags_over_time.png", image);

@@ -111,7 +111,7 @@ TEST(AMappingMission, SearchesForATagThatWasLaidTooFarAside) {
 
 // The antenna passes the tag's place before the bumper touches the wall behind it; that nothing was read
 // there is known then.
-TEST(AMappingMission, DISABLED_SearchesForATagThatWasLaidTooFarAsideBeforeAWall) {
+TEST(AMappingMission, SearchesForATagThatWasLaidTooFarAsideBeforeAWall) {
   Drive drive{{"S.."}, {}, ExplorerKind::kIdfm};
   drive.carpet.lay_tag({2, 0}, {0.0, -0.08});
   ASSERT_TRUE(drive.run());
@@ -207,7 +207,7 @@ std::optional<Tile> somewhere_else(const Drive& drive) {
   return std::nullopt;
 }
 
-TEST(AMappingMission, DISABLED_FindsItselfAgainWhenPutOnAnotherKnownTile) {
+TEST(AMappingMission, FindsItselfAgainWhenPutOnAnotherKnownTile) {
   for (const std::size_t known : {10u, 15u, 20u}) {
     Drive drive{{"......", "......", "......", "S....."}, {}, ExplorerKind::kDfm};
     while (drive.mission.map().visited_count() < known ||
@@ -222,7 +222,7 @@ TEST(AMappingMission, DISABLED_FindsItselfAgainWhenPutOnAnotherKnownTile) {
   }
 }
 
-TEST(AMappingMission, DISABLED_GivesUpWritingWhenPutOnAnotherTagBeforeItWasDone) {
+TEST(AMappingMission, GivesUpWritingWhenPutOnAnotherTagBeforeItWasDone) {
   Drive drive{{"......", "......", "......", "S....."}, {}, ExplorerKind::kIdfm};
   ASSERT_TRUE(drive.run_until_found({5, 3}));
   drive.carpet.carry_to({1, 0});

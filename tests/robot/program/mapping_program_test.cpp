@@ -191,7 +191,7 @@ TEST_F(MappingProgramOnWires, LeavesAHomeBaseInFullModeAndIsSafeAgainAfterwards)
   EXPECT_EQ(base_.times_said(kFullOpcode), 1);
 }
 
-TEST_F(MappingProgramOnWires, DISABLED_WaitsWhileItIsLiftedAndGoesOnWhenPutDown) {
+TEST_F(MappingProgramOnWires, WaitsWhileItIsLiftedAndGoesOnWhenPutDown) {
   ASSERT_TRUE(run_until_known(2));
   run_until_rolling();
   base_.lifted = true;

@@ -13,7 +13,11 @@ constexpr double kBoth_rad = rad_from_deg(10.0);
 constexpr double kBeamRange_m = 0.25;
 constexpr double kBeamHalf_m = 0.05;
 constexpr double kSignalMax = 4095.0;
-constexpr double kQuietSearch_m = 1.5;  // chosen: about two look-ups a minute in an empty hall
+/// Way after which the surroundings are looked up again. Chosen: twice in three seconds at 0.3 m/s; what lies
+/// farther off than a beam reaches and this need not be listed.
+constexpr double kLookAround_m = 0.25;
+/// Guards comparisons of distances that were rounded differently.
+constexpr double kRounding_m = 1e-9;
 /// Left to right, as RoombaInputs lists them.
 constexpr std::array<double, 6> kBeam_rad = {rad_from_deg(65.0),  rad_from_deg(38.0),  rad_from_deg(14.0),
                                              rad_from_deg(-14.0), rad_from_deg(-38.0), rad_from_deg(-65.0)};
@@ -55,6 +59,11 @@ bool inside(const Cliff& cliff, const Vec2& at_m) {
   return corners.size() > 2 && !(left && right);
 }
 
+bool farther(const Vec2& way_m, double limit_m) {
+  const double surely_m = limit_m + kRounding_m;
+  return way_m.squaredNorm() > surely_m * surely_m;
+}
+
 double bearing_rad(const Vec2& p) {
   return std::atan2(p.y(), p.x());
 }
@@ -70,6 +79,7 @@ BodySensors::BodySensors(const WorldDescription& world, const RoombaDescription&
     : cliffs_(world.cliffs),
       virtual_walls_(world.virtual_walls),
       home_base_(world.home_base),
+      X_HW_(world.home_base ? world.home_base->X_WH.inverse() : Pose2{}),
       radius_m_(base.radius_m),
       arm_m_(0.5 * base.wheel_base_m) {}
 
@@ -85,10 +95,10 @@ std::array<bool, 2> BodySensors::wheels_on_floor(const Pose2& X_WR) const {
 }
 
 bool BodySensors::docked(const Pose2& X_WR) const {
-  if (!home_base_) {
+  if (!home_base_ || farther(X_WR.p_m - home_base_->X_WH.p_m, radius_m_ + kDockReach_m)) {
     return false;
   }
-  const Pose2 X_HR = home_base_->X_WH.inverse() * X_WR;
+  const Pose2 X_HR = X_HW_ * X_WR;
   return (X_HR * Vec2{radius_m_, 0.0}).norm() <= kDockReach_m &&
          std::abs(robot::wrap_angle(X_HR.yaw_rad - robot::kPi)) <= kDockHalf_rad;
 }
@@ -112,15 +122,42 @@ void BodySensors::read(const ObstacleIndex& fixed, std::span<const Outline> push
   }
 }
 
+void BodySensors::look_around(const ObstacleIndex& fixed, const Vec2& at_m) const {
+  around_.segments.clear();
+  around_.discs.clear();
+  seen_from_m_ = at_m;
+  const double far_m = radius_m_ + kBeamRange_m + kLookAround_m;
+  nearest_m_ = far_m;
+  // A long wall is told once for each bucket it crosses.
+  const auto same = [](const Segment& a, const Segment& b) { return a.a_m == b.a_m && a.b_m == b.b_m; };
+  const auto segment = [&](const Segment& s) {
+    const double d_m = distance_m(at_m, s);
+    if (d_m < far_m && std::none_of(around_.segments.begin(), around_.segments.end(),
+                                    [&](const Segment& known) { return same(known, s); })) {
+      around_.segments.push_back(s);
+      nearest_m_ = std::min(nearest_m_, d_m);
+    }
+  };
+  const auto disc = [&](const Disc& d) {
+    const double d_m = (at_m - d.middle_m).norm() - d.radius_m;
+    if (d_m < far_m) {
+      around_.discs.push_back(d);
+      nearest_m_ = std::min(nearest_m_, d_m);
+    }
+  };
+  const Vec2 box_m{far_m, far_m};
+  fixed.near(at_m - box_m, at_m + box_m, segment, disc);
+}
+
 void BodySensors::read_light(const ObstacleIndex& fixed, std::span<const Outline> pushed, const Pose2& X_WR,
                              RoombaInputs& inputs) const {
   const double reach_m = radius_m_ + kBeamRange_m;
-  const bool quiet = (X_WR.p_m - quiet_at_m_).norm() + reach_m < quiet_m_;
-  if (!quiet) {
-    quiet_at_m_ = X_WR.p_m;
-    quiet_m_ = fixed.clearance_m(X_WR.p_m, kQuietSearch_m);
+  if (!seen_from_m_ || (X_WR.p_m - *seen_from_m_).squaredNorm() > kLookAround_m * kLookAround_m) {
+    look_around(fixed, X_WR.p_m);
   }
-  const bool fixed_near = !quiet && quiet_m_ < reach_m;
+  // What is nearest may have come nearer by as much as the robot has moved.
+  const double moved_m = (X_WR.p_m - *seen_from_m_).norm();
+  const bool fixed_near = nearest_m_ < reach_m + moved_m + kRounding_m;
   if (!fixed_near && pushed.empty()) {
     return;
   }
@@ -149,14 +186,14 @@ void BodySensors::read_light(const ObstacleIndex& fixed, std::span<const Outline
       meet(s);
     }
   };
+  const auto meet_outline = [&](const Outline& outline) {
+    std::for_each(outline.segments.begin(), outline.segments.end(), meet_segment);
+    std::for_each(outline.discs.begin(), outline.discs.end(), meet);
+  };
   if (fixed_near) {
-    const Vec2 box_m{reach_m, reach_m};
-    fixed.near(X_WR.p_m - box_m, X_WR.p_m + box_m, meet_segment, meet);
+    meet_outline(around_);
   }
-  for (const Outline& piece : pushed) {
-    std::for_each(piece.segments.begin(), piece.segments.end(), meet_segment);
-    std::for_each(piece.discs.begin(), piece.discs.end(), meet);
-  }
+  std::for_each(pushed.begin(), pushed.end(), meet_outline);
   for (std::size_t i = 0; i < beam.size(); ++i) {
     const double d_m = std::max(0.0, range_m[i] - radius_m_);
     const double falls = 1.0 + d_m / kBeamHalf_m;
@@ -168,9 +205,8 @@ void BodySensors::read_light(const ObstacleIndex& fixed, std::span<const Outline
 }
 
 void BodySensors::read_infrared(const ObstacleIndex& fixed, const Pose2& X_WR, RoombaInputs& inputs) const {
-  const Pose2 X_RW = X_WR.inverse();
   const auto receive = [&](const Vec2& source_m, std::uint8_t character) {
-    const double from_rad = bearing_rad(X_RW * source_m);
+    const double from_rad = bearing_rad(X_WR.inverse() * source_m);
     inputs.ir_omni = character;
     if (from_rad >= -kReceiverPast_rad && from_rad <= kReceiverSide_rad) {
       inputs.ir_left = character;
@@ -179,10 +215,10 @@ void BodySensors::read_infrared(const ObstacleIndex& fixed, const Pose2& X_WR, R
       inputs.ir_right = character;
     }
   };
-  if (home_base_) {
+  if (home_base_ && !farther(X_WR.p_m - home_base_->X_WH.p_m, kBuoyRange_m)) {
     // From a little in front of the contacts: the base itself usually stands against a wall.
     const Vec2 source_m = home_base_->X_WH * Vec2{0.01, 0.0};
-    const Vec2 p_HR_m = home_base_->X_WH.inverse() * X_WR.p_m;
+    const Vec2 p_HR_m = X_HW_ * X_WR.p_m;
     const double range_m = p_HR_m.norm();
     const double off_rad = bearing_rad(p_HR_m);
     std::uint8_t beams = 0;

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <array>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -42,11 +43,14 @@ class BodySensors {
             RoombaInputs& inputs) const;
   /// Left and right wheel: whether there is floor under it.
   [[nodiscard]] std::array<bool, 2> wheels_on_floor(const Pose2& X_WR) const;
+  /// Whether there is no hole anywhere: both wheels are on the floor then, wherever the robot is.
+  [[nodiscard]] bool floor_is_whole() const { return cliffs_.empty(); }
   /// Whether the charging contacts meet the home base's.
   [[nodiscard]] bool docked(const Pose2& X_WR) const;
 
  private:
   [[nodiscard]] bool over_hole(const Vec2& at_m) const;
+  void look_around(const ObstacleIndex& fixed, const Vec2& at_m) const;
   void read_light(const ObstacleIndex& fixed, std::span<const Outline> pushed, const Pose2& X_WR,
                   RoombaInputs& inputs) const;
   void read_infrared(const ObstacleIndex& fixed, const Pose2& X_WR, RoombaInputs& inputs) const;
@@ -54,12 +58,14 @@ class BodySensors {
   std::vector<Cliff> cliffs_;
   std::vector<VirtualWall> virtual_walls_;
   std::optional<HomeBase> home_base_;
+  Pose2 X_HW_;  ///< meaningless without a home base
   double radius_m_;
   double arm_m_;
-  /// Nothing fixed is nearer to quiet_at_m_ than quiet_m_: as long as the robot stays well inside, the beams
-  /// see nothing and nobody need look. A cache of the fixed outline, hence mutable.
-  mutable Vec2 quiet_at_m_{0.0, 0.0};
-  mutable double quiet_m_{-1.0};
+  /// What the beams can meet while the robot is near seen_from_m_, and the distance from there to the nearest
+  /// of it. A cache of the fixed outline, hence mutable.
+  mutable Outline around_;
+  mutable std::optional<Vec2> seen_from_m_;
+  mutable double nearest_m_{0.0};
 };
 
 }  // namespace sensotwin::world

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 #include <string>
 #include <utility>
 
@@ -22,6 +23,21 @@ constexpr std::array<std::array<std::uint8_t, 2>, 9> kLandmarkBytes = {{{0x01, 0
                                                                         {0x04, 0x01},
                                                                         {0x04, 0x00}}};
 constexpr std::uint8_t kDynamicLandmark = 0xFF;  ///< the same table, last row
+
+/// How much farther than it reads the field is searched, so that the next search can wait. Chosen: the way of
+/// half a second.
+constexpr double kLookOut_m = 0.15;
+/// Guards comparisons of distances that were rounded differently.
+constexpr double kRounding_m = 1e-9;
+
+// Without a call, where the processor that we compile for has no instruction for it.
+int floor_of(double x) {
+  const int whole = static_cast<int>(x);
+  return whole - (x < whole ? 1 : 0);
+}
+int ceil_of(double x) {
+  return -floor_of(-x);
+}
 
 /// Where a piece carries its tags, in its own frame: each leg, or the middle of each side; a circle has four.
 std::vector<Vec2> tag_places(const Furniture& piece) {
@@ -133,16 +149,20 @@ std::optional<TagIndex> TagField::of_tile(int column, int row) const {
 }
 
 std::optional<TagIndex> TagField::carpet_tag(const Vec2& antenna_m, double read_radius_m) const {
+  if (carpet_quiet_.holds(antenna_m)) {
+    return std::nullopt;
+  }
   // A tag answers from outside its own tile when the radius is large: look at every tile whose middle is
   // near.
   const Vec2 in_tiles = (antenna_m - origin_m_) / tile_m_;
-  const double reach = (read_radius_m + stray_m_) / tile_m_;
-  const auto first = [&](double x) { return static_cast<int>(std::ceil(x - reach - 0.5)); };
-  const auto last = [&](double x) { return static_cast<int>(std::floor(x + reach - 0.5)); };
+  const double reach = (read_radius_m + stray_m_ + kLookOut_m) / tile_m_;
+  const int row1 = floor_of(in_tiles.y() + reach - 0.5);
+  const int column0 = ceil_of(in_tiles.x() - reach - 0.5);
+  const int column1 = floor_of(in_tiles.x() + reach - 0.5);
   std::optional<TagIndex> answer;
-  double nearest_m2 = read_radius_m * read_radius_m;
-  for (int row = first(in_tiles.y()); row <= last(in_tiles.y()); ++row) {
-    for (int column = first(in_tiles.x()); column <= last(in_tiles.x()); ++column) {
+  double nearest_m2 = (read_radius_m + kLookOut_m) * (read_radius_m + kLookOut_m);
+  for (int row = ceil_of(in_tiles.y() - reach - 0.5); row <= row1; ++row) {
+    for (int column = column0; column <= column1; ++column) {
       const auto tag = of_tile(column, row);
       if (!tag || !tags_[*tag].readable) {
         continue;
@@ -154,23 +174,30 @@ std::optional<TagIndex> TagField::carpet_tag(const Vec2& antenna_m, double read_
       }
     }
   }
-  return answer;
+  carpet_quiet_.begin(antenna_m, std::sqrt(nearest_m2) - read_radius_m - kRounding_m);
+  return nearest_m2 <= read_radius_m * read_radius_m ? answer : std::nullopt;
 }
 
 std::optional<TagIndex> TagField::standing_tag(const Vec2& antenna_m, double read_radius_m) const {
-  std::optional<TagIndex> answer;
-  double nearest_m2 = read_radius_m * read_radius_m;
+  if (standing_quiet_.holds(antenna_m)) {
+    return std::nullopt;
+  }
+  double nearest_m2 = std::numeric_limits<double>::infinity();
+  std::size_t nearest = tags_.size();
   for (std::size_t i = carpet_count_; i < tags_.size(); ++i) {
     const double d_m2 = (tags_[i].at_m - antenna_m).squaredNorm();
     if (d_m2 <= nearest_m2) {
       nearest_m2 = d_m2;
-      answer = static_cast<TagIndex>(i);
+      nearest = i;
     }
   }
-  return answer;
+  standing_quiet_.begin(antenna_m, std::sqrt(nearest_m2) - read_radius_m - kRounding_m);
+  return nearest_m2 <= read_radius_m * read_radius_m ? std::optional{static_cast<TagIndex>(nearest)}
+                                                     : std::nullopt;
 }
 
 void TagField::move_furniture(std::uint32_t owner, const Pose2& X_WF) {
+  standing_quiet_ = {};
   for (std::size_t i = carpet_count_; i < tags_.size(); ++i) {
     if (tags_[i].place == TagPlace::kFurniture && tags_[i].owner == owner) {
       tags_[i].at_m = X_WF * tags_[i].p_OT_m;

@@ -67,6 +67,20 @@ class TagField {
   int row0_{0};
   int columns_{0};
   int rows_{0};
+  /// Where no tag answered, and how far the antenna has to go from there before one can.
+  struct Quiet {
+    Vec2 at_m{0.0, 0.0};
+    double way_m2{0.0};
+    [[nodiscard]] bool holds(const Vec2& antenna_m) const {
+      return (antenna_m - at_m).squaredNorm() < way_m2;
+    }
+    void begin(const Vec2& antenna_m, double way_m) {
+      at_m = antenna_m;
+      way_m2 = way_m > 0.0 ? way_m * way_m : 0.0;
+    }
+  };
+  mutable Quiet carpet_quiet_;
+  mutable Quiet standing_quiet_;
   std::vector<std::int32_t> grid_;  ///< TagIndex of each cell of the tiles' bounding box, -1 where no tile is
 };
 

@@ -50,8 +50,8 @@ struct Footing {
 /// hence stable for any step, and it never does more work than the wheels' surfaces bring in. Frames: R (see
 /// BodyVelocity). Valid for a rigid robot whose weight rests evenly on both wheels. Leaves out: load transfer
 /// in braking, wheel inertia, pile that remembers earlier passages. Source: creep law as in the linear range
-/// of the brush model, [Pacejka2012] section 3.2; friction circle section 3.3; implicit friction as in
-/// [Catto2009].
+/// of the brush model, [Pacejka2012] section 3.2; both directions together section 3.2.3; implicit friction
+/// as in [Catto2009].
 class Traction {
  public:
   Traction(const RoombaDescription& base, const Floor& floor, const BodyMass& body, double step_s,
@@ -80,9 +80,19 @@ class Traction {
   double step_s_;
   double arm_m_;                          ///< half the true wheel base
   std::array<double, 2> diameter_ratio_;  ///< true over nominal
-  std::array<double, 2> radius_m_;
+  std::array<double, 2> rad_per_mps_;     ///< turn of each wheel in one step at 1 m/s
   double speed_change_mps_;
   double load_N_;  ///< on one driven wheel
+  // What one step of drag and tyre forces needs of the above.
+  double drag_mps_;       ///< speed lost to rolling resistance
+  double drag_rps_{0.0};  ///< the same of turning
+  double grip_Ns_;        ///< largest impulse of one tyre
+  double creep_per_Ns_;   ///< softness of a tyre for each m/s
+  double inverse_step_;   ///< 1/s
+  double inverse_mass_;   ///< 1/kg
+  double self_{0.0};      ///< 1/kg, a wheel's impulse on the speed at that wheel
+  double cross_{0.0};     ///< 1/kg, on the speed at the other
+  double arm_per_inertia_{0.0};
   std::array<robot::RandomStream, 2> random_;
   std::array<double, 2> slip_{};
   std::array<double, 2> slip_left_m_{};  ///< way until the next draw

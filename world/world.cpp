@@ -72,6 +72,12 @@ struct World::State {
   void feel_contacts();
   void draw_current(const RoombaOutputs& outputs);
   void follow_furniture();
+  void place();
+  /// Of an antenna in R, in W.
+  [[nodiscard]] Vec2 in_W(const Vec2& p_R_m) const {
+    return {X_WR.p_m.x() + ahead.x() * p_R_m.x() - ahead.y() * p_R_m.y(),
+            X_WR.p_m.y() + ahead.y() * p_R_m.x() + ahead.x() * p_R_m.y()};
+  }
 
   [[nodiscard]] b2Vec2 to_box(const Vec2& p_W_m) const {
     return {static_cast<float>(p_W_m.x() - origin_m.x()), static_cast<float>(p_W_m.y() - origin_m.y())};
@@ -83,11 +89,14 @@ struct World::State {
 
   RobotDescription robot;
   int steps_per_tick;
+  float step_s;
   ObstacleIndex fixed;
   Vec2 origin_m;  ///< of Box2D's frame in W: the middle of the house, where single precision is finest
   b2World box{b2Vec2{0.0F, 0.0F}};
   b2Body* ground{nullptr};
   b2Body* body{nullptr};
+  Pose2 X_WR;            ///< of the body, at the end of the last tick
+  Vec2 ahead{1.0, 0.0};  ///< its direction
   std::vector<Pushable> pushables;
   std::vector<Outline> pushed_near;  ///< in W, of the pushables the light bumpers could see
   std::vector<Pose2> X_WF;
@@ -127,6 +136,7 @@ World::State::State(const WorldDescription& world, const RobotDescription& robot
                     const PhysicsDescription& physics, const robot::RandomStream& random)
     : robot(robot_description),
       steps_per_tick(physics.steps_per_tick),
+      step_s(static_cast<float>(kTick_s / physics.steps_per_tick)),
       fixed(fixed_outline(world, robot.base.height_m)),
       // From the walls alone, so that a piece added in a corner does not shift the frame and with it the
       // rounding.
@@ -249,8 +259,9 @@ void World::State::step(const std::array<double, 2>& target_mps) {
   const double c = turn.c;
   const double s = turn.s;
   const b2Vec2& v_W = body->GetLinearVelocity();
-  const Footing footing{.on_floor = sensors.wheels_on_floor(pose(*body)),
-                        .yaw_rad = static_cast<double>(body->GetAngle())};
+  const Footing footing{
+      .on_floor = sensors.floor_is_whole() ? std::array{true, true} : sensors.wheels_on_floor(pose(*body)),
+      .yaw_rad = static_cast<double>(body->GetAngle())};
   const BodyVelocity v = traction.apply({.forward_mps = c * v_W.x + s * v_W.y,
                                          .left_mps = c * v_W.y - s * v_W.x,
                                          .turn_rps = static_cast<double>(body->GetAngularVelocity())},
@@ -258,7 +269,7 @@ void World::State::step(const std::array<double, 2>& target_mps) {
   body->SetLinearVelocity({static_cast<float>(c * v.forward_mps - s * v.left_mps),
                            static_cast<float>(s * v.forward_mps + c * v.left_mps)});
   body->SetAngularVelocity(static_cast<float>(v.turn_rps));
-  box.Step(static_cast<float>(kTick_s / steps_per_tick), kVelocityIterations, kPositionIterations);
+  box.Step(step_s, kVelocityIterations, kPositionIterations);
   feel_contacts();
 }
 
@@ -300,9 +311,14 @@ void World::State::draw_current(const RoombaOutputs& outputs) {
   battery.pass(kTick_s, draw_ma, docked && outputs.charging_allowed);
 }
 
+void World::State::place() {
+  X_WR = pose(*body);
+  ahead = X_WR.direction();
+}
+
 void World::State::follow_furniture() {
   pushed_near.clear();
-  const Vec2 at_m = pose(*body).p_m;
+  const Vec2 at_m = X_WR.p_m;
   for (const Pushable& piece : pushables) {
     if (piece.body->IsAwake()) {
       X_WF[piece.index] = pose(*piece.body);
@@ -317,6 +333,7 @@ void World::State::follow_furniture() {
 World::World(const WorldDescription& world, const RobotDescription& robot, const PhysicsDescription& physics,
              const robot::RandomStream& random)
     : state_(std::make_unique<State>(world, robot, physics, random)) {
+  state_->place();
   state_->follow_furniture();
 }
 World::~World() = default;
@@ -339,10 +356,11 @@ void World::tick(const RoombaOutputs& outputs) {
     s.body->SetTransform(s.body->GetPosition(),
                          static_cast<float>(robot::wrap_angle(static_cast<double>(s.body->GetAngle()))));
   }
+  s.place();
   if (!s.pushables.empty()) {
     s.follow_furniture();
   }
-  s.docked = s.sensors.docked(X_WR());
+  s.docked = s.sensors.docked(s.X_WR);
   s.draw_current(outputs);
   const double forward_mps =
       static_cast<double>(b2Dot(s.body->GetLinearVelocity(), s.body->GetWorldVector(b2Vec2{1.0F, 0.0F})));
@@ -354,7 +372,7 @@ RoombaInputs World::roomba_inputs() const {
   RoombaInputs in;
   in.bump_left = s.bumped.left;
   in.bump_right = s.bumped.right;
-  s.sensors.read(s.fixed, s.pushed_near, X_WR(), in);
+  s.sensors.read(s.fixed, s.pushed_near, s.X_WR, in);
   in.wheel_angle_left_rad = s.traction.wheel_angle_rad()[0];
   in.wheel_angle_right_rad = s.traction.wheel_angle_rad()[1];
   in.forward_progress = s.forward;
@@ -371,7 +389,7 @@ RoombaInputs World::roomba_inputs() const {
 }
 
 Pose2 World::X_WR() const {
-  return state_->pose(*state_->body);
+  return state_->X_WR;
 }
 std::span<const Pose2> World::X_WF() const {
   return state_->X_WF;
@@ -388,11 +406,11 @@ TagMemory& World::tag_memory(TagIndex tag) {
 }
 std::optional<TagIndex> World::floor_tag() const {
   const ReaderDescription& reader = state_->robot.floor_reader;
-  return state_->tags.carpet_tag(X_WR() * reader.at_m, reader.read_radius_m);
+  return state_->tags.carpet_tag(state_->in_W(reader.at_m), reader.read_radius_m);
 }
 std::optional<TagIndex> World::forward_tag() const {
   const ReaderDescription& reader = state_->robot.forward_reader;
-  return state_->tags.standing_tag(X_WR() * reader.at_m, reader.read_radius_m);
+  return state_->tags.standing_tag(state_->in_W(reader.at_m), reader.read_radius_m);
 }
 double World::compass_heading_rad() {
   return state_->compass.read_heading_rad(X_WR());
@@ -418,18 +436,18 @@ double World::work_j() const {
 
 std::uint64_t World::state_hash() const {
   std::uint64_t hash = 0xcbf29ce484222325U;
-  const auto take = [&hash](double value) {
-    const auto bits = std::bit_cast<std::uint64_t>(value);
-    for (unsigned shift = 0; shift < 64; shift += 8) {
-      hash = (hash ^ ((bits >> shift) & 0xFFU)) * 0x100000001b3U;
-    }
+  const auto mix = [&hash](std::uint64_t word) {
+    hash = (hash ^ word) * 0x100000001b3U;
+    hash ^= hash >> 32;  // brings high bits down, which multiplication alone never does
+  };
+  const auto take = [&](double value) { mix(std::bit_cast<std::uint64_t>(value)); };
+  const auto take_two = [&](float one, float other) {
+    mix(std::uint64_t{std::bit_cast<std::uint32_t>(one)} << 32 | std::bit_cast<std::uint32_t>(other));
   };
   const auto take_body = [&](const b2Body& body) {
-    for (const float value :
-         {body.GetPosition().x, body.GetPosition().y, body.GetAngle(), body.GetLinearVelocity().x,
-          body.GetLinearVelocity().y, body.GetAngularVelocity()}) {
-      take(static_cast<double>(value));
-    }
+    take_two(body.GetPosition().x, body.GetPosition().y);
+    take_two(body.GetAngle(), body.GetAngularVelocity());
+    take_two(body.GetLinearVelocity().x, body.GetLinearVelocity().y);
   };
   const State& s = *state_;
   take_body(*s.body);

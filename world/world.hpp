@@ -63,8 +63,8 @@ class World {
   [[nodiscard]] double energy_j() const;
   /// Work the wheels have done on the robot since the start, J; braking counts negative.
   [[nodiscard]] double work_j() const;
-  /// FNV-1a over every bit of moving state: bodies, wheels, battery. For tests of determinism and for
-  /// summaries.
+  /// FNV-1a by 64-bit words over every bit of moving state: bodies, wheels, battery. For tests of determinism
+  /// and for summaries, once a tick.
   [[nodiscard]] std::uint64_t state_hash() const;
 
  private:

@@ -23,6 +23,17 @@ inline constexpr double kPi = std::numbers::pi;
 }
 /// Same angle in (-pi, pi].
 [[nodiscard]] inline double wrap_angle(double rad) {
+  // Most angles are wrapped already or off by one turn, where the difference is exact (Sterbenz): the same
+  // bits as the remainder, without its tens of nanoseconds.
+  if (rad > -kPi && rad <= kPi) {
+    return rad;
+  }
+  if (rad > kPi && rad < 2.5 * kPi) {
+    return rad - 2.0 * kPi;
+  }
+  if (rad < -kPi && rad > -2.5 * kPi) {
+    return rad + 2.0 * kPi;
+  }
   const double wrapped = std::remainder(rad, 2.0 * kPi);
   return wrapped <= -kPi ? kPi : wrapped;
 }

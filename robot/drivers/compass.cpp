@@ -23,7 +23,7 @@ void Compass::step(Instant now) {
     decoder_.reset();
   }
   was_up_ = up;
-  std::array<std::uint8_t, kChunk> chunk{};
+  std::array<std::uint8_t, kChunk> chunk;  // NOLINT(cppcoreguidelines-pro-type-member-init)
   for (int i = 0; i < kChunksPerStep; ++i) {
     const std::size_t n = link_.read(chunk);
     for (std::size_t k = 0; k < n; ++k) {

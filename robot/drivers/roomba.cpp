@@ -27,7 +27,10 @@ using oi::PacketId;
 }  // namespace
 
 Roomba::Roomba(ByteLink& link, const RoombaConfig& config)
-    : link_(link), config_(config), decoder_(static_cast<std::uint8_t>(oi::payload_bytes(kStreamedPackets))) {
+    : link_(link),
+      config_(config),
+      layout_(*oi::StreamLayout::of(kStreamedPackets)),
+      decoder_(static_cast<std::uint8_t>(layout_.payload_bytes())) {
   assert(config.mode == oi::Mode::kSafe || config.mode == oi::Mode::kFull);
   assert(config.repeat_frames > 0);
 }
@@ -49,7 +52,7 @@ bool Roomba::drive(const WheelSpeeds& wheels) {
   if (status_ != RoombaStatus::kReady) {
     return false;
   }
-  return wheels == sent_ || send_wheels(wheels);
+  return was_sent(wheels) || send_wheels(wheels);
 }
 
 void Roomba::stop() {
@@ -79,11 +82,21 @@ bool Roomba::send(const oi::Command& command) {
   return sent;
 }
 
+bool Roomba::was_sent(const WheelSpeeds& wheels) const {
+  if (wheels == sent_) {
+    return true;
+  }
+  return is_sci() ? oi::drive_for(wheels, config_.sci_wheel_base_m) ==
+                        oi::drive_for(sent_, config_.sci_wheel_base_m)
+                  : oi::drive_direct_for(wheels) == told_;
+}
+
 bool Roomba::send_wheels(const WheelSpeeds& wheels) {
   const bool sent =
       is_sci() ? send(oi::drive_for(wheels, config_.sci_wheel_base_m)) : send(oi::drive_direct_for(wheels));
   if (sent) {
     sent_ = wheels;
+    told_ = oi::drive_direct_for(wheels);
     frames_since_sent_ = 0;
   }
   return sent;
@@ -102,6 +115,7 @@ void Roomba::say_start(Instant now) {
            (config_.mode == oi::Mode::kSafe ? send(oi::Safe{}) : send(oi::Full{}));
   }
   sent_ = {};
+  told_ = {};
   if (sent) {
     said_start_ = now;
     ++health_.starts;
@@ -115,7 +129,7 @@ void Roomba::read_stream(Instant now) {
     const std::size_t arrived = link_.read(room);
     decoder_.received(arrived);
     while (const auto frame = decoder_.next()) {
-      const bool good = *frame && oi::decode_payload(**frame, values_);
+      const bool good = *frame && (layout_.decode(**frame, values_) || oi::decode_payload(**frame, values_));
       good ? ++frames : ++health_.frames_corrupt;
     }
     if (arrived < room.size()) {

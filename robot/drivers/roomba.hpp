@@ -11,6 +11,7 @@
 #include "robot/hal/byte_link.hpp"
 #include "robot/wire/oi_commands.hpp"
 #include "robot/wire/oi_stream.hpp"
+#include "robot/wire/oi_stream_layout.hpp"
 #include "robot/wire/sci.hpp"
 
 namespace sensotwin::robot {
@@ -75,9 +76,9 @@ class Roomba {
   [[nodiscard]] const RoombaState* fresh() const { return fresh_ ? &state_ : nullptr; }
   [[nodiscard]] RoombaStatus status() const { return status_; }
 
-  /// Speeds for both wheels, held until the next call; rounded to mm/s, clamped to 0.5 m/s. Sent when they
-  /// differ from the last ones, and again by step() every `repeat_frames`. \returns false, moving nothing,
-  /// unless kReady and the link is up
+  /// Speeds for both wheels, held until the next call; rounded to mm/s, clamped to 0.5 m/s. Sent when what
+  /// the robot would be told differs from the last time, and again by step() every `repeat_frames`. \returns
+  /// false, moving nothing, unless kReady and the link is up
   bool drive(const WheelSpeeds& wheels);
   /// Stops the wheels now, whatever the status.
   void stop();
@@ -94,6 +95,7 @@ class Roomba {
   [[nodiscard]] bool is_sci() const { return config_.interface == RoombaConfig::Interface::kSci; }
   [[nodiscard]] bool send(const oi::Command& command);
   [[nodiscard]] bool send_wheels(const WheelSpeeds& wheels);
+  [[nodiscard]] bool was_sent(const WheelSpeeds& wheels) const;
   void say_start(Instant now);
   void read_stream(Instant now);
   void read_polled(Instant now);
@@ -106,6 +108,7 @@ class Roomba {
 
   ByteLink& link_;
   RoombaConfig config_;
+  oi::StreamLayout layout_;
   oi::StreamDecoder decoder_;
   oi::SensorValues values_;
   RoombaState state_;
@@ -113,6 +116,7 @@ class Roomba {
   RoombaStatus status_{RoombaStatus::kStarting};
   LinkHealth health_;
   WheelSpeeds sent_;
+  oi::DriveDirect told_;  ///< sent_ as the Open Interface spells it
   int frames_since_sent_{0};
   std::optional<Instant> said_start_;
   std::optional<Instant> last_good_;

@@ -76,12 +76,24 @@ void FloorGrid::forbid_centre(const Vec2& p_M_m) {
 void FloorGrid::clear_disc(const Vec2& centre_M_m, double radius_m) {
   const Cell low = cell_at(centre_M_m - Vec2{radius_m, radius_m});
   const Cell high = cell_at(centre_M_m + Vec2{radius_m, radius_m});
+  const auto inside = [&](Cell c) { return (centre_m(c) - centre_M_m).squaredNorm() <= radius_m * radius_m; };
   for (int y = low.y; y <= high.y; ++y) {
-    for (int x = low.x; x <= high.x; ++x) {
-      if ((centre_m({x, y}) - centre_M_m).squaredNorm() <= radius_m * radius_m) {
-        std::uint8_t& cell = at({x, y});
-        cell = static_cast<std::uint8_t>((cell & kForbidden) | kSwept);
+    int first = low.x;
+    int last = high.x;
+    while (first <= last && !inside({first, y})) {
+      ++first;
+    }
+    while (last > first && !inside({last, y})) {
+      --last;
+    }
+    // A row of the disc lies side by side in one chunk or two.
+    while (first <= last) {
+      const int end = std::min(last, first | (kChunkSide - 1));
+      std::uint8_t* const row = &at({first, y});
+      for (int i = 0; i <= end - first; ++i) {
+        row[i] = static_cast<std::uint8_t>((row[i] & kForbidden) | kSwept);
       }
+      first = end + 1;
     }
   }
   at(cell_at(centre_M_m)) &= static_cast<std::uint8_t>(~kForbidden);

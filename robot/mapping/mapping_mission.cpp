@@ -78,8 +78,11 @@ Task<bool> MappingMission::perform(Move move) {
   } else if (end == MoveEnd::kNoTag) {
     no_tag_.insert(move.target);
     give_up(move.target);
-  } else if (end == MoveEnd::kLost && !co_await mover_.recover()) {
-    co_return false;
+  } else if (end == MoveEnd::kLost) {
+    const bool found = co_await mover_.recover();
+    if (!found) {
+      co_return false;
+    }
   }
   // A detour that found no way has not moved, and costs no slot of the pace.
   if (!move.detour || end == MoveEnd::kArrived) {
@@ -120,12 +123,18 @@ Task<bool> MappingMission::try_doubtful() {
       }
       std::vector<Tile> route = shortest_route(map_, mover_.at(), mover_.heading(), {next});
       for (const Tile step : route) {
-        if (direct_neighbours(mover_.at(), step) && !co_await perform({.target = step})) {
-          co_return false;
+        if (direct_neighbours(mover_.at(), step)) {
+          const bool well = co_await perform({.target = step});
+          if (!well) {
+            co_return false;
+          }
         }
       }
-      if (mover_.at() == next && !co_await perform({.target = *tile})) {
-        co_return false;
+      if (mover_.at() == next) {
+        const bool well = co_await perform({.target = *tile});
+        if (!well) {
+          co_return false;
+        }
       }
     }
     if (map_.visited(*tile)) {
@@ -137,7 +146,8 @@ Task<bool> MappingMission::try_doubtful() {
 
 Task<> MappingMission::run() {
   const Instant begun = io_.sensed.stamp;
-  if (!co_await mover_.find_origin()) {
+  const bool on_carpet = co_await mover_.find_origin();
+  if (!on_carpet) {
     finished_ = true;
     co_return;
   }
@@ -154,7 +164,10 @@ Task<> MappingMission::run() {
       mover_.see_passages();
       move = explorer_->next(map_, mover_.at(), mover_.heading());
     }
-    more = succeeded_ && co_await try_doubtful();
+    more = false;
+    if (succeeded_) {
+      more = co_await try_doubtful();
+    }
   }
   co_await mover_.settle();
   log_.add(io_.sensed.stamp, MissionEventKind::kDone, mover_.at());

@@ -31,6 +31,9 @@ class Navigator {
   [[nodiscard]] const FloorGrid& floor() const { return floor_; }
   [[nodiscard]] double speed_mps() const { return speed_mps_; }
 
+  /// The pose is known too badly to tell which tile a new tag lies on.
+  [[nodiscard]] bool uncertain() { return filter_.position_sigma_m() > kTellTiles * config_.tile_m; }
+
   /// The tag that was identified in this very step.
   [[nodiscard]] std::optional<TagUid> identified() const { return identified_; }
   /// The tag in the antenna's field now, once identified.
@@ -46,6 +49,8 @@ class Navigator {
   void remember_bump(int side, const Sensed& sensed);
 
  private:
+  /// Half a tile is 2.3 standard deviations then.
+  static constexpr double kTellTiles = 0.22;
   [[nodiscard]] ReadZone zone_of(Tile tile) const;
   void sense_motion(const Sensed& sensed);
   void sense_obstacles(const Sensed& sensed);

@@ -11,7 +11,9 @@ namespace sensotwin::robot {
 struct Line {
   Vec2 from_M_m{0.0, 0.0};
   double yaw_rad{0.0};
-  [[nodiscard]] Vec2 along() const { return {std::cos(yaw_rad), std::sin(yaw_rad)}; }
+  /// Of yaw_rad; asked for at every step of a drive, hence kept. A line is made anew, never turned.
+  Vec2 direction{std::cos(yaw_rad), std::sin(yaw_rad)};
+  [[nodiscard]] const Vec2& along() const { return direction; }
   [[nodiscard]] double along_m(const Vec2& p_M_m) const { return (p_M_m - from_M_m).dot(along()); }
   /// Positive to the left.
   [[nodiscard]] double across_m(const Vec2& p_M_m) const {

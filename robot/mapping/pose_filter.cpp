@@ -191,6 +191,11 @@ void PoseFilter::settle_weights() {
   beliefs_ = std::move(kept);
 }
 
+double PoseFilter::position_sigma_m() {
+  const double yaw = pose().yaw_rad;
+  return std::max(across_sigma_m(), beliefs_.front().track.position_sigma_m({std::cos(yaw), std::sin(yaw)}));
+}
+
 double PoseFilter::across_sigma_m() {
   const double yaw = pose().yaw_rad;
   return beliefs_.front().track.position_sigma_m({-std::sin(yaw), std::cos(yaw)});

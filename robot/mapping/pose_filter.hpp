@@ -49,6 +49,8 @@ class PoseFilter {
   /// Of the belief with the greatest weight.
   [[nodiscard]] const Pose2& pose() const { return beliefs_.front().track.pose(); }
   [[nodiscard]] double across_sigma_m();
+  /// The greater of the standard deviations along and across.
+  [[nodiscard]] double position_sigma_m();
   [[nodiscard]] double yaw_sigma_rad() { return beliefs_.front().track.yaw_sigma_rad(); }
   /// Metres travelled by the encoders' word since construction, never reset.
   [[nodiscard]] double path_length_m() const { return path_length_m_; }

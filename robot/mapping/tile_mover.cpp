@@ -205,8 +205,11 @@ Task<> TileMover::hold_for_write(Tile tile) {
       const Line line{navigator_.centre_m(tile), yaw};
       if (behind) {
         co_await pilot_.back_along(line, 0.0, 0.0);
-      } else if (!co_await creep_to(navigator_.centre_m(tile), std::nullopt)) {
-        break;
+      } else {
+        const bool there = co_await creep_to(navigator_.centre_m(tile), std::nullopt);
+        if (!there) {
+          break;
+        }
       }
       if (!navigator_.anything_in_field()) {
         break;
@@ -293,7 +296,8 @@ Task<MoveEnd> TileMover::roll(Tile from, Tile target, Direction d) {
     }
     const double s = line.along_m(navigator_.pose().p_m);
     if (pilot_.hazard()) {
-      co_return co_await give_way(from, line);
+      const MoveEnd end = co_await give_way(from, line);
+      co_return end;
     }
     if (pilot_.bumped()) {
       ++log_.counts.bumps;

@@ -66,6 +66,8 @@ class TileMover {
   /// Straight and slowly to a point; stops at any tag but that of `ignored`. \returns false when something was in the
   /// way
   Task<bool> creep_to(Vec2 p_M_m, std::optional<Tile> ignored);
+  /// Back over the tag of at(), or of any known one. \returns false when none was found
+  Task<bool> relocalise();
   [[nodiscard]] std::vector<Vec2> way_to(Tile target) const;
   /// Plans and walks until the target's tag is read, nothing is left to try, or `plans_max` plans were spoilt.
   Task<MoveEnd> approach(Tile target, int plans_max);

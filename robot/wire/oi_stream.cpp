@@ -8,11 +8,9 @@
 #include "robot/wire/oi_packet_tables.hpp"
 
 namespace sensotwin::robot::oi {
-namespace {
-
-/// Sum modulo 256, eight bytes at a time: the even and the odd ones gather in 16-bit lanes, which hold 257 of
-/// them. \pre bytes.size() <= 8 * 257 / 2
-[[nodiscard]] std::uint8_t sum_of(ByteView bytes) {
+std::uint8_t sum_of(ByteView bytes) {
+  // Eight bytes at a time: the even and the odd ones gather in 16-bit lanes, which hold 257 of them.
+  assert(bytes.size() <= 8 * 257 / 2);
   constexpr std::uint64_t kEven = 0x00FF00FF00FF00FFu;
   std::uint64_t lanes = 0;
   std::size_t at = 0;
@@ -28,10 +26,10 @@ namespace {
   return static_cast<std::uint8_t>(sum);
 }
 
-}  // namespace
-
 std::span<std::uint8_t> StreamDecoder::room() {
-  if (begin_ > 0) {
+  if (begin_ == end_) {
+    reset();  // nearly always: the last frame was read to its end
+  } else if (begin_ > 0) {
     std::memmove(buffer_.data(), buffer_.data() + begin_, held());
     end_ -= begin_;
     rejected_end_ -= std::min(rejected_end_, begin_);
@@ -69,9 +67,11 @@ std::optional<Result<ByteView, StreamError>> StreamDecoder::reject(StreamError e
 
 std::optional<Result<ByteView, StreamError>> StreamDecoder::next() {
   for (;;) {
-    const auto* header = static_cast<const std::uint8_t*>(
-        held() == 0 ? nullptr : std::memchr(buffer_.data() + begin_, kStreamHeader, held()));
-    skip(header == nullptr ? held() : static_cast<std::size_t>(header - buffer_.data()) - begin_);
+    if (held() > 0 && buffer_[begin_] != kStreamHeader) {
+      const auto* header =
+          static_cast<const std::uint8_t*>(std::memchr(buffer_.data() + begin_, kStreamHeader, held()));
+      skip(header == nullptr ? held() : static_cast<std::size_t>(header - buffer_.data()) - begin_);
+    }
     if (held() < 2) {
       return std::nullopt;
     }

@@ -28,6 +28,9 @@ enum class StreamError : std::uint8_t {
   kNoRoom,         ///< the frame does not fit into the span, or its payload into one length byte
 };
 
+/// Sum modulo 256. \pre a thousand bytes at most
+[[nodiscard]] std::uint8_t sum_of(ByteView bytes);
+
 /// Finds stream frames in what a serial port delivers.
 ///
 ///     19 | n | n bytes of (packet id, data)... | checksum

@@ -219,13 +219,12 @@ void EmulatedRoomba::answer(std::uint8_t id) {
 }
 
 void EmulatedRoomba::queue_stream_frame() {
-  update_values();
-  std::array<std::uint8_t, 258> frame;  // NOLINT(cppcoreguidelines-pro-type-member-init)
-  const auto written = robot::oi::encode_frame(stream_.ids(), values_, frame);
-  if (!written) {
+  if (!layout_) {
     return;
   }
-  queue(robot::ByteView{frame}.first(*written));
+  update_values();
+  std::array<std::uint8_t, 258> frame;  // NOLINT(cppcoreguidelines-pro-type-member-init)
+  queue(robot::ByteView{frame}.first(layout_->encode(values_, frame)));
   if (stream_has_motion_) {
     for (const std::uint8_t id : stream_.ids()) {
       clear_motion(id);

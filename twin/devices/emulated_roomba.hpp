@@ -5,12 +5,14 @@
 #include <compare>
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <span>
 
 #include "robot/base/bytes.hpp"
 #include "robot/hal/byte_link.hpp"
 #include "robot/wire/oi_commands.hpp"
 #include "robot/wire/oi_packets.hpp"
+#include "robot/wire/oi_stream_layout.hpp"
 #include "robot/wire/ticks.hpp"
 #include "twin/devices/wheel_counter.hpp"
 #include "world/description.hpp"
@@ -138,6 +140,7 @@ class EmulatedRoomba {
   int pushed_ticks_{0};
 
   robot::oi::Stream stream_;
+  std::optional<robot::oi::StreamLayout> layout_;  ///< nothing when what was asked for fits into no frame
   bool streaming_{false};
   bool stream_has_motion_{false};  ///< distance or angle, which each frame clears
 

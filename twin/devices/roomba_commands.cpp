@@ -156,6 +156,7 @@ void RoombaCommands::on(const oi::Stream& stream) {
           oi::covers(id, oi::PacketId::kDistance) || oi::covers(id, oi::PacketId::kAngle);
     }
   }
+  board.layout_ = oi::StreamLayout::of(board.stream_.ids());
   board.streaming_ = board.stream_.count > 0;
 }
 

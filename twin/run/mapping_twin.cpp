@@ -30,6 +30,10 @@ robot::MoveCost move_cost_of(const MapMission& mission, double tile_m) {
           .quarter_turn_s = robot::kPi / 2.0 / mission.pace.turn_radps + ramps_s};
 }
 
+robot::MappingLinks rewired(const robot::MappingLinks& links, const MappingTwin::Rewiring& rewire) {
+  return rewire ? rewire(links) : links;
+}
+
 }  // namespace
 
 robot::MappingProgramConfig mapping_config_of(const Scene& scene, std::uint32_t map_id) {
@@ -53,7 +57,7 @@ robot::MappingProgramConfig mapping_config_of(const Scene& scene, std::uint32_t 
   return config;
 }
 
-MappingTwin::MappingTwin(const Scene& scene)
+MappingTwin::MappingTwin(const Scene& scene, const Rewiring& rewire)
     : random_(scene.seed),
       map_id_(static_cast<std::uint32_t>(random_.fork("map id").seed())),
       world_(scene.world, scene.robot, scene.physics, random_.fork("world")),
@@ -63,7 +67,7 @@ MappingTwin::MappingTwin(const Scene& scene)
       floor_reader_(card_reader_settings(scene.robot.floor_reader), random_.fork("floor reader")),
       forward_reader_(card_reader_settings(scene.robot.forward_reader), random_.fork("forward reader")),
       compass_(scene.robot.compass),
-      program_({serial_, floor_reader_, forward_reader_, compass_}, mapping_config_of(scene, map_id_),
+      program_(rewired({serial_, floor_reader_, forward_reader_, compass_}, rewire), mapping_config_of(scene, map_id_),
                robot::make_explorer(scene.mission.map->explorer,
                                     move_cost_of(*scene.mission.map, scene.world.carpet.tile_m))) {}
 

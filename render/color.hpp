@@ -47,6 +47,7 @@ inline constexpr Rgba kHairline = rgb(0xCBD2D9);
 inline constexpr Rgba kGrid = rgb(0xE9EDF1);
 inline constexpr Rgba kFloor = rgb(0xF1EEE7);
 inline constexpr Rgba kWall = rgb(0x2B323B);
+inline constexpr Rgba kMasonry = rgb(0xB3BAC2);
 inline constexpr Rgba kFurniture = rgb(0xD9B88A);
 inline constexpr Rgba kFurnitureEdge = rgb(0x7A5A2E);
 inline constexpr Rgba kTileUnvisited = rgb(0xFFFFFF);

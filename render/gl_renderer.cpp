@@ -51,6 +51,62 @@ void reduce_strip(std::span<const std::uint8_t> samples, int strip_rows, int fir
   }
 }
 
+/// Sorts triangles by the strips that they touch. A long path has 10^6 triangles, and each of a dozen strips
+/// would have them all transformed again.
+class Strips {
+ public:
+  explicit Strips(const Drawing& drawing) : drawing_(drawing) {
+    const Eigen::Matrix4f clip_from_W = drawing.clip_from_W.cast<float>();
+    const auto height = static_cast<float>(drawing.height_px);
+    for (const TriangleLayer& layer : drawing.layers) {
+      std::vector<Rows>& rows = rows_.emplace_back();
+      rows.reserve(layer.vertices.size() / 3);
+      for (std::size_t i = 0; i + 2 < layer.vertices.size(); i += 3) {
+        Rows range{height, 0.0F};
+        for (std::size_t k = i; k < i + 3; ++k) {
+          const Vertex& v = layer.vertices[k];
+          const Eigen::Vector4f clip = clip_from_W * Eigen::Vector4f{v.x, v.y, v.z, 1.0F};
+          // Behind the eye there is no row: the driver clips, so the triangle goes into all strips.
+          const bool ahead = clip.w() > 0.0F;
+          const float row = ahead ? (1.0F - clip.y() / clip.w()) * height / 2.0F : 0.0F;
+          range.first = std::min(range.first, ahead ? row : 0.0F);
+          range.last = std::max(range.last, ahead ? row : height);
+        }
+        rows.push_back(range);
+      }
+    }
+  }
+
+  /// The drawing's layers with the triangles that touch picture rows [first, end), in their order.
+  [[nodiscard]] std::vector<TriangleLayer> layers(int first, int end) const {
+    // A row beyond either side, against rounding.
+    const auto low = static_cast<float>(first - 1);
+    const auto high = static_cast<float>(end + 1);
+    std::vector<TriangleLayer> chosen;
+    for (std::size_t l = 0; l < rows_.size(); ++l) {
+      const TriangleLayer& all = drawing_.layers[l];
+      TriangleLayer& some = chosen.emplace_back();
+      some.depth_test = all.depth_test;
+      some.depth_write = all.depth_write;
+      for (std::size_t t = 0; t < rows_[l].size(); ++t) {
+        if (rows_[l][t].first <= high && rows_[l][t].last >= low) {
+          const auto begin = all.vertices.begin() + static_cast<std::ptrdiff_t>(3 * t);
+          some.vertices.insert(some.vertices.end(), begin, begin + 3);
+        }
+      }
+    }
+    return chosen;
+  }
+
+ private:
+  struct Rows {
+    float first{0.0F};
+    float last{0.0F};
+  };
+  const Drawing& drawing_;
+  std::vector<std::vector<Rows>> rows_;
+};
+
 }  // namespace
 
 struct GlRenderer::Functions {
@@ -86,7 +142,8 @@ struct GlRenderer::Functions {
 
   /// \returns the name of the first function that the driver lacks, or null.
   const char* load(const GlLoader& loader);
-  void draw_layers(const Drawing& drawing) const;
+  /// \param layers  of the drawing, with the triangles that matter
+  void draw_layers(const Drawing& drawing, std::span<const TriangleLayer> layers) const;
 };
 
 /// A frame buffer with one colour buffer, and a depth buffer when multisampled; freed at the end of the
@@ -165,7 +222,7 @@ const char* GlRenderer::Functions::load(const GlLoader& loader) {
   return missing;
 }
 
-void GlRenderer::Functions::draw_layers(const Drawing& drawing) const {
+void GlRenderer::Functions::draw_layers(const Drawing& drawing, std::span<const TriangleLayer> layers) const {
   const auto channel = [](std::uint8_t v) { return static_cast<float>(v) / 255.0F; };
   const Rgba& paper = drawing.background;
   depth_mask(GL_TRUE);
@@ -180,7 +237,7 @@ void GlRenderer::Functions::draw_layers(const Drawing& drawing) const {
   depth_func(GL_LEQUAL);
   enable_client_state(GL_VERTEX_ARRAY);
   enable_client_state(GL_COLOR_ARRAY);
-  for (const TriangleLayer& layer : drawing.layers) {
+  for (const TriangleLayer& layer : layers) {
     if (layer.vertices.empty()) {
       continue;
     }
@@ -232,13 +289,14 @@ Rendered<Image> GlRenderer::draw(const Drawing& drawing) const {
   Image image(drawing.width_px, drawing.height_px, drawing.background);
   std::vector<std::uint8_t> samples(static_cast<std::size_t>(width) * static_cast<std::size_t>(strip_height) *
                                     4u);
+  const Strips strips(drawing);
   for (int row = 0; row < drawing.height_px; row += kStripRows) {
     const int rows = std::min(kStripRows, drawing.height_px - row);
     gl_->bind_framebuffer(GL_FRAMEBUFFER, many.frame());
     // The strip is a window on the whole picture: GL counts rows from below.
     const int below = (drawing.height_px - row - rows) * kSupersampling;
     gl_->viewport(0, -below, width, drawing.height_px * kSupersampling);
-    gl_->draw_layers(drawing);
+    gl_->draw_layers(drawing, strips.layers(row, row + rows));
     gl_->bind_framebuffer(GL_READ_FRAMEBUFFER, many.frame());
     gl_->bind_framebuffer(GL_DRAW_FRAMEBUFFER, one.frame());
     gl_->blit_framebuffer(0, 0, width, strip_height, 0, 0, width, strip_height, GL_COLOR_BUFFER_BIT,

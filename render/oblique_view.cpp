@@ -17,6 +17,8 @@ constexpr double kEyeDistance = 2.4;
 /// What is left of a wall that stands between the eye and the floor, and of walls inside the room.
 constexpr double kCutWall_m = 0.12;
 constexpr double kInnerWall_m = 0.90;
+/// What is left of the walls of a map: in a home of many rooms some wall is always in front.
+constexpr double kTracedWall_m = 0.22;
 constexpr double kWallThickness_m = 0.07;
 
 constexpr Rgba kWallFace = rgb(0xEDF1F5);
@@ -111,7 +113,26 @@ void add_wall_segment(Scene3d& scene, const Vec2& a, const Vec2& b, double heigh
   scene.solid.fill(base, kWallTop, height_m);
 }
 
+/// The walls of a map as a model cut off at one height, with solid tops where it shows something solid.
+void add_traced_walls(Scene3d& scene, const SceneView& view) {
+  const double height_m = std::min(kTracedWall_m, view.ceiling_m);
+  const WallView* room = room_of(view);
+  for (const WallView& wall : view.walls) {
+    const std::size_t n = wall.points_m.size();
+    for (std::size_t i = 0; i + (wall.closed ? 0 : 1) < n; ++i) {
+      add_wall_segment(scene, wall.points_m[i], wall.points_m[(i + 1) % n], height_m);
+    }
+    if (room != nullptr && encloses_matter(wall, *room)) {
+      scene.solid.fill(wall.points_m, palette::kMasonry, height_m);
+    }
+  }
+}
+
 void add_walls(Scene3d& scene, const SceneView& view) {
+  if (traced(view)) {
+    add_traced_walls(scene, view);
+    return;
+  }
   const WallView* room = room_of(view);
   for (const WallView& wall : view.walls) {
     const std::size_t n = wall.points_m.size();
@@ -126,14 +147,9 @@ void add_walls(Scene3d& scene, const SceneView& view) {
       }
       const bool front = stands_in_front(scene, a, b, room_is_left);
       add_wall_segment(scene, a, b, front ? std::min(kCutWall_m, view.ceiling_m) : view.ceiling_m);
-      if (front) {
-        const Vec3 top_a = lifted(a, view.ceiling_m);
-        const Vec3 top_b = lifted(b, view.ceiling_m);
-        edge(scene, scene.glass, lifted(a, kCutWall_m), top_a, 1.2, palette::kSoftInk.with_alpha(90));
-        edge(scene, scene.glass, lifted(b, kCutWall_m), top_b, 1.2, palette::kSoftInk.with_alpha(90));
+      if (!front) {
+        edge(scene, scene.glass, lifted(a, view.ceiling_m), lifted(b, view.ceiling_m), 2.0, kWallTop);
       }
-      edge(scene, scene.glass, lifted(a, view.ceiling_m), lifted(b, view.ceiling_m), front ? 1.2 : 2.0,
-           front ? palette::kSoftInk.with_alpha(90) : kWallTop);
     }
   }
 }
@@ -217,8 +233,9 @@ void add_ceiling_tags(Scene3d& scene, const SceneView& view) {
     add(p, 0.0);
   }
   if (const WallView* room = room_of(view)) {
+    const double top_m = traced(view) ? kTracedWall_m : view.ceiling_m;
     for (const Vec2& p : room->points_m) {
-      add(p, view.ceiling_m);
+      add(p, top_m);
     }
   }
   for (const FurnitureView& piece : view.furniture) {

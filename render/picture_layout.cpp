@@ -79,7 +79,7 @@ void draw_mark_swatch(Canvas& canvas, const RectPx& box, double u, Swatch kind) 
       canvas.fill(diamond(11.0 * u), palette::kGreen);
       break;
     case Swatch::kTag:
-      canvas.disc(c, 3.0 * u, palette::kSoftInk);
+      canvas.disc(c, 3.4 * u, palette::kSoftInk);
       break;
     case Swatch::kDeadTag:
       canvas.ring(c, 5.0 * u, {2.0 * u, palette::kVermilion, 0.0});

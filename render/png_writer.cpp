@@ -50,6 +50,8 @@ void ignore_warning(png_structp, png_const_charp) {}
                static_cast<png_uint_32>(image.height_px()), 8,
                opaque ? PNG_COLOR_TYPE_RGB : PNG_COLOR_TYPE_RGBA, PNG_INTERLACE_NONE,
                PNG_COMPRESSION_TYPE_DEFAULT, PNG_FILTER_TYPE_DEFAULT);
+  // Flat colours repeat as they are: differences from neighbours, the default, make our files larger.
+  png_set_filter(png, PNG_FILTER_TYPE_BASE, PNG_FILTER_NONE);
   png_set_text(png, info, texts.data(), text_count);
   png_write_info(png, info);
   for (int y = 0; y < image.height_px(); ++y) {

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <map>
 
 namespace sensotwin::render {
 namespace {
@@ -45,6 +46,34 @@ void furniture(Mesh& mesh, const FurnitureView& piece, double px_per_m, double l
     }
   }
 }
+
+/// What colour lies where: tiles by their place in the carpet's grid.
+class Floor {
+ public:
+  explicit Floor(const SceneView& view) {
+    if (view.tiles.empty()) {
+      return;
+    }
+    origin_m_ = view.tiles.front().center_m;
+    size_m_ = view.tiles.front().size_m;
+    for (const TileView& tile : view.tiles) {
+      colors_.insert_or_assign(cell(tile.center_m), tile_color(tile.state));
+    }
+  }
+  [[nodiscard]] Rgba color_at(const Vec2& p_m) const {
+    const auto found = colors_.find(cell(p_m));
+    return found == colors_.end() ? palette::kFloor : found->second;
+  }
+
+ private:
+  [[nodiscard]] std::pair<long, long> cell(const Vec2& p_m) const {
+    const Vec2 sides = (p_m - origin_m_) / size_m_;
+    return {std::lround(sides.x()), std::lround(sides.y())};
+  }
+  Vec2 origin_m_{0.0, 0.0};
+  double size_m_{1.0};
+  std::map<std::pair<long, long>, Rgba> colors_;
+};
 
 void landmark(Mesh& mesh, const Vec2& at, double line_m) {
   const Polygon diamond = square(at, 15.0 * line_m, robot::kPi / 4.0);
@@ -118,6 +147,27 @@ const WallView* room_of(const SceneView& view) {
   return room;
 }
 
+bool traced(const SceneView& view) {
+  // Chosen: people draw walls of metres, maps have cells of 2 to 10 cm.
+  constexpr double kDrawn_m = 0.25;
+  double length_m = 0.0;
+  std::size_t sides = 0;
+  for (const WallView& wall : view.walls) {
+    const std::size_t n = wall.points_m.size();
+    for (std::size_t i = 0; i + (wall.closed ? 0 : 1) < n; ++i) {
+      length_m += (wall.points_m[(i + 1) % n] - wall.points_m[i]).norm();
+      ++sides;
+    }
+  }
+  return sides > 0 && length_m < kDrawn_m * static_cast<double>(sides);
+}
+
+bool encloses_matter(const WallView& wall, const WallView& room) {
+  return &wall != &room && wall.closed && wall.points_m.size() >= 3 &&
+         (signed_area(wall.points_m) > 0.0) != (signed_area(room.points_m) > 0.0) &&
+         inside(room.points_m, wall.points_m.front());
+}
+
 double time_end_s(const SceneView& view) {
   if (view.time_end_s) {
     return *view.time_end_s;
@@ -130,6 +180,15 @@ namespace layers {
 void floor(Mesh& mesh, const SceneView& view) {
   if (const WallView* room = room_of(view)) {
     mesh.fill(room->points_m, palette::kFloor);
+  }
+}
+
+void matter(Mesh& mesh, const SceneView& view) {
+  const WallView* room = room_of(view);
+  for (const WallView& wall : view.walls) {
+    if (room != nullptr && encloses_matter(wall, *room)) {
+      mesh.fill(wall.points_m, palette::kMasonry);
+    }
   }
 }
 
@@ -169,11 +228,15 @@ void ground_marks(Mesh& mesh, const SceneView& view, double px_per_m, double lin
     mesh.fill(beam, palette::kPink.with_alpha(90));
     mesh.disc({fan.X_WV.p_m, 6.0 * line_m}, palette::kPink);
   }
+  const Floor below(view);
   for (const TagView& tag : view.tags) {
-    // On white paper, so that it shows on dark tiles too.
-    mesh.disc({tag.at_m, (tag.dead ? 7.0 : 3.4) * line_m}, palette::kPaper);
-    tag.dead ? mesh.ring({tag.at_m, 4.5 * line_m}, 2.5 * line_m, palette::kVermilion)
-             : mesh.disc({tag.at_m, 2.2 * line_m}, palette::kSoftInk);
+    if (tag.dead) {
+      mesh.disc({tag.at_m, 7.0 * line_m}, palette::kPaper);
+      mesh.ring({tag.at_m, 4.5 * line_m}, 2.5 * line_m, palette::kVermilion);
+    } else {
+      const bool dark = luminance(below.color_at(tag.at_m)) < 0.3;
+      mesh.disc({tag.at_m, 2.6 * line_m}, dark ? palette::kHairline : palette::kSoftInk);
+    }
   }
 }
 
@@ -215,14 +278,18 @@ std::vector<Vertex> top_view_triangles(const SceneView& view, double px_per_m, d
     all_furniture();
     layers::tiles(mesh, view, px_per_m, line_px, style);
     layers::ground_marks(mesh, view, px_per_m, line_px);
+    layers::matter(mesh, view);
   } else {
     layers::tiles(mesh, view, px_per_m, line_px, style);
     layers::ground_marks(mesh, view, px_per_m, line_px);
+    layers::matter(mesh, view);
     all_furniture();
   }
   layers::trajectory(mesh, view, px_per_m, line_px, 0.0);
+  const double wall_px =
+      traced(view) ? 3.0 : 6.0;  // wide lines would run the steps and specks of a map together
   for (const WallView& wall : view.walls) {
-    mesh.stroke(wall.points_m, wall.closed, 6.0 * line_m, palette::kWall);
+    mesh.stroke(wall.points_m, wall.closed, wall_px * line_m, palette::kWall);
   }
   for (const CeilingTagView& tag : view.ceiling_tags) {
     // Where its plumb line meets the floor.

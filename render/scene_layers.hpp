@@ -37,6 +37,8 @@ struct TileMark {
 /// Parts that the oblique view shares.
 namespace layers {
 void floor(Mesh& mesh, const SceneView& view);
+/// What the walls of a map enclose that is not floor.
+void matter(Mesh& mesh, const SceneView& view);
 void tiles(Mesh& mesh, const SceneView& view, double px_per_m, double line_px, TileStyle style);
 void ground_marks(Mesh& mesh, const SceneView& view, double px_per_m, double line_px);
 void trajectory(Mesh& mesh, const SceneView& view, double px_per_m, double line_px, double z_m);
@@ -44,6 +46,12 @@ void trajectory(Mesh& mesh, const SceneView& view, double px_per_m, double line_
 
 /// The closed wall with the largest area: the room. Null when no wall is closed.
 [[nodiscard]] const WallView* room_of(const SceneView& view);
+/// Walls traced from an occupancy map: staircases of its cells and specks, where drawn ones are a few long
+/// lines.
+[[nodiscard]] bool traced(const SceneView& view);
+/// A closed wall around something solid. As a walk with free space on its left goes, it runs against the
+/// room's sense and lies within it.
+[[nodiscard]] bool encloses_matter(const WallView& wall, const WallView& room);
 /// Where the time colours end, seconds; they begin at 0.
 [[nodiscard]] double time_end_s(const SceneView& view);
 

@@ -69,29 +69,57 @@ void draw_furniture_name(Canvas& canvas, Labels& labels, const FurnitureView& pi
   }
 }
 
-/// Beside its point: right, left, above or below, wherever there is room; left out where there is none.
-void draw_point_label(Canvas& canvas, Labels& labels, const Vec2& at_px, const std::string& text, double u) {
+/// Whether a wall runs through the box, to a pixel or two.
+[[nodiscard]] bool wall_under(const SceneView& view, const Projection& X, const RectPx& box) {
+  const double step = std::max(1.0, box.height / 3.0);
+  for (const WallView& wall : view.walls) {
+    const std::size_t n = wall.points_m.size();
+    for (std::size_t i = 0; i + (wall.closed ? 0 : 1) < n; ++i) {
+      const Vec2 from = X.pixel(wall.points_m[i]);
+      const Vec2 along = X.pixel(wall.points_m[(i + 1) % n]) - from;
+      const int steps = static_cast<int>(std::ceil(along.norm() / step));
+      for (int k = 0; k <= steps; ++k) {
+        const Vec2 p = from + along * (static_cast<double>(k) / std::max(1, steps));
+        if (p.x() > box.x && p.x() < box.right() && p.y() > box.y && p.y() < box.bottom()) {
+          return true;
+        }
+      }
+    }
+  }
+  return false;
+}
+
+/// Beside its point: right, left, below or above, off the walls wherever there is room; left out where there
+/// is none.
+void draw_point_label(Canvas& canvas, Labels& labels, const SceneView& view, const Projection& X,
+                      const Vec2& at_m, const std::string& text, double u) {
   if (text.empty()) {
     return;
   }
+  const Vec2 at_px = X.pixel(at_m);
   const TextStyle plain{19.0 * u, palette::kInk, false, Align::kLeft, 0.0, palette::kPaper.with_alpha(225)};
   const double width = canvas.width_of(text, plain);
   const double h = plain.size_px;
   const double gap = 16.0 * u;
-  for (const Vec2& offset : {Vec2{gap, -h / 2.0}, Vec2{-gap - width, -h / 2.0},
-                             Vec2{-width / 2.0, gap - 4.0 * u}, Vec2{-width / 2.0, -gap - h + 4.0 * u}}) {
-    const Vec2 corner = at_px + offset;
-    if (labels.claim({corner.x(), corner.y(), width, h})) {
-      canvas.text({corner.x(), corner.y() + h / 2.0}, text, plain);
-      return;
+  const std::array offsets{Vec2{gap, -h / 2.0}, Vec2{-gap - width, -h / 2.0}, Vec2{-width / 2.0, gap},
+                           Vec2{-width / 2.0, -gap - h}};
+  for (const bool off_walls : {true, false}) {
+    for (const Vec2& offset : offsets) {
+      const RectPx box{at_px.x() + offset.x(), at_px.y() + offset.y(), width, h};
+      if ((!off_walls || !wall_under(view, X, box)) && labels.claim(box)) {
+        canvas.text({box.x, box.center().y()}, text, plain);
+        return;
+      }
     }
   }
 }
 
-void draw_tile_labels(Canvas& canvas, const SceneView& view, const Projection& X, double px_per_m, double u) {
+void draw_tile_labels(Canvas& canvas, const SceneView& view, const Projection& X, double px_per_m,
+                      TileStyle tiles, double u) {
   for (const TileView& tile : view.tiles) {
     const double side = tile.size_m * px_per_m;
-    const Rgba ink = luminance(tile_color(tile.state)) > 0.3 ? palette::kInk : palette::kPaper;
+    const bool dark = tiles == TileStyle::kStates && luminance(tile_color(tile.state)) <= 0.3;
+    const Rgba ink = dark ? palette::kPaper : palette::kInk;
     const TextStyle wanted{std::min(18.0 * u, 0.4 * side), ink, false, Align::kCenter};
     const TextStyle style = canvas.fitted(tile.label, wanted, 0.85 * side, 0.6);
     // Below 9 units it could not be read: leave it out.
@@ -101,9 +129,9 @@ void draw_tile_labels(Canvas& canvas, const SceneView& view, const Projection& X
   }
 }
 
-void draw_names(Canvas& canvas, const SceneView& view, const Picture& picture, double u) {
+void draw_names(Canvas& canvas, const SceneView& view, const Picture& picture, TileStyle tiles, double u) {
   const Projection& pixel_from_W = picture.pixel_from_W;
-  draw_tile_labels(canvas, view, pixel_from_W, pixel_from_W.px_per_m(Vec3::Zero()), u);
+  draw_tile_labels(canvas, view, pixel_from_W, pixel_from_W.px_per_m(Vec3::Zero()), tiles, u);
   // Names may reach a little over the plot's edge: there is white paper.
   const RectPx plot = picture.plot;
   Labels labels({plot.x - 30.0 * u, plot.y - 24.0 * u, plot.width + 60.0 * u, plot.height + 40.0 * u});
@@ -116,10 +144,10 @@ void draw_names(Canvas& canvas, const SceneView& view, const Picture& picture, d
     draw_furniture_name(canvas, labels, piece, pixel_from_W, u);
   }
   for (const LandmarkView& mark : view.landmarks) {
-    draw_point_label(canvas, labels, pixel_from_W.pixel(mark.at_m), mark.label, u);
+    draw_point_label(canvas, labels, view, pixel_from_W, mark.at_m, mark.label, u);
   }
   for (const CeilingTagView& tag : view.ceiling_tags) {
-    draw_point_label(canvas, labels, pixel_from_W.pixel(tag.at_m), tag.label, u);
+    draw_point_label(canvas, labels, view, pixel_from_W, tag.at_m, tag.label, u);
   }
 }
 
@@ -174,7 +202,7 @@ Rendered<Picture> draw_top_view(OffscreenContext& context, const SceneView& view
     return Unexpected{image.error()};
   }
   Canvas canvas = Canvas::over(*image);
-  draw_names(canvas, view, picture, u);
+  draw_names(canvas, view, picture, options.tiles, u);
   draw_heading(canvas, sheet, view);
   draw_legend(canvas, sheet, view, legend_of(view, options.tiles), options.tiles);
   picture.scale_bar = scale_bar_for(sheet, px_per_m);

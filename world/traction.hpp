@@ -50,8 +50,8 @@ struct Footing {
 /// hence stable for any step, and it never does more work than the wheels' surfaces bring in. Frames: R (see
 /// BodyVelocity). Valid for a rigid robot whose weight rests evenly on both wheels. Leaves out: load transfer
 /// in braking, wheel inertia, pile that remembers earlier passages. Source: creep law as in the linear range
-/// of the brush model, [Pacejka2012] section 3.2; friction circle section 3.3; implicit friction as in
-/// [Catto2009].
+/// of the brush model, [Pacejka2012] section 3.2; both directions together section 3.2.3; implicit friction
+/// as in [Catto2009].
 class Traction {
  public:
   Traction(const RoombaDescription& base, const Floor& floor, const BodyMass& body, double step_s,

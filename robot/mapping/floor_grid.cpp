@@ -11,8 +11,10 @@ namespace {
 constexpr std::uint8_t kEvidenceMask = 0x0F;
 constexpr std::uint8_t kForbidden = 0x10;
 constexpr std::uint8_t kSwept = 0x20;
-/// Hits needed before a cell counts as occupied: one stray reading moves nothing.
-constexpr std::uint8_t kHitsNeeded = 2;
+/// A hit counts twice, a beam that went through once: a leg is seen by few of the beams that pass near it. Two hits
+/// are needed, so that one stray reading moves nothing.
+constexpr int kHitWeight = 2;
+constexpr std::uint8_t kEvidenceNeeded = 4;
 
 }  // namespace
 
@@ -43,9 +45,21 @@ std::uint8_t& FloorGrid::at(Cell c) {
 void FloorGrid::add_hit(const Vec2& p_M_m) {
   std::uint8_t& cell = at(cell_at(p_M_m));
   const auto evidence = static_cast<std::uint8_t>(cell & kEvidenceMask);
-  if (evidence < kEvidenceMask) {
-    ++cell;
-    if (evidence + 1 == kHitsNeeded) {
+  const auto more = static_cast<std::uint8_t>(std::min<int>(evidence + kHitWeight, kEvidenceMask));
+  cell = static_cast<std::uint8_t>((cell & ~kEvidenceMask) | more);
+  if (evidence < kEvidenceNeeded && more >= kEvidenceNeeded) {
+    ++revision_;
+  }
+}
+
+void FloorGrid::see_through(const Vec2& from_M_m, const Vec2& to_M_m) {
+  const Vec2 way = to_M_m - from_M_m;
+  const int steps = static_cast<int>(way.norm() / kCell_m);
+  for (int i = 0; i < steps; ++i) {
+    const Cell c = cell_at(from_M_m + way * ((i + 0.5) / steps));
+    const std::uint8_t* known = find(c);
+    if (known != nullptr && (*known & kEvidenceMask) != 0) {
+      --at(c);
       ++revision_;
     }
   }
@@ -87,7 +101,7 @@ void FloorGrid::clear_disc(const Vec2& centre_M_m, double radius_m) {
 
 bool FloorGrid::occupied(Cell c) const {
   const std::uint8_t* cell = find(c);
-  return cell != nullptr && (*cell & kEvidenceMask) >= kHitsNeeded;
+  return cell != nullptr && (*cell & kEvidenceMask) >= kEvidenceNeeded;
 }
 
 bool FloorGrid::centre_forbidden(Cell c) const {

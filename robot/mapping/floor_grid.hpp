@@ -31,6 +31,8 @@ class FloorGrid {
 
   /// A beam or the bumper met something here.
   void add_hit(const Vec2& p_M_m);
+  /// A beam went from one point to the other and met nothing.
+  void see_through(const Vec2& from_M_m, const Vec2& to_M_m);
   /// The bumper was pressed with the robot here: the robot's centre cannot be at `p_M_m`.
   void forbid_centre(const Vec2& p_M_m);
   /// The body stood at `centre`: whatever was believed within `radius_m` of it is not there.

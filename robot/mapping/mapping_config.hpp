@@ -22,6 +22,7 @@ struct MappingConfig {
   double tile_m{0.508};          ///< edge of a carpet tile, 20 inches (SensoBot, III.A)
   Pace pace;
   OdometryModel odometry;
+  CompassModel compass;
   LightBumper light_bumper;
   double body_radius_m{0.17};
   double read_radius_m{0.08};    ///< of the floor antenna's zone
@@ -32,7 +33,7 @@ struct MappingConfig {
   double acceleration_mps2{0.8};
   double turn_acceleration_radps2{8.0};
   /// Tags are passed this far to the left of their middle, so that the width of the pass tells the side (PoseFilter).
-  double aim_left_m{0.03};
+  double aim_left_m{0.035};
   /// Slower here: on detours and when looking for a lost tag.
   double careful_speed_mps{0.15};
 };

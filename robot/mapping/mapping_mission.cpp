@@ -1,9 +1,28 @@
 // SPDX-License-Identifier: MIT
 #include "robot/mapping/mapping_mission.hpp"
 
+#include <algorithm>
+#include <cstdlib>
+#include <limits>
 #include <utility>
 
+#include "robot/mapping/route.hpp"
+
 namespace sensotwin::robot {
+namespace {
+
+/// Standing still on the first tag, so that what is seen is seen twice.
+constexpr Duration kFirstLook = std::chrono::milliseconds{700};
+/// A tile with so many visited neighbours that could not be entered is more likely a mistake than a pillar: it is tried
+/// again at the end, from so many sides.
+constexpr int kDoubtfulSides = 3;
+constexpr int kDoubtfulTries = 2;
+
+bool direct_neighbours(Tile a, Tile b) {
+  return std::abs(a.column - b.column) + std::abs(a.row - b.row) == 1;
+}
+
+}  // namespace
 
 MappingMission::MappingMission(const MappingConfig& config, std::unique_ptr<Explorer> explorer)
     : config_(config),
@@ -42,46 +61,112 @@ void MappingMission::give_up(Tile tile) {
   ++log_.counts.tiles_given_up;
 }
 
+Task<bool> MappingMission::perform(Move move) {
+  const Instant begun = io_.sensed.stamp;
+  const std::size_t before = map_.visited_count();
+  const Tile from = mover_.at();
+  MoveEnd end = MoveEnd::kLost;
+  if (move.detour) {
+    end = co_await mover_.detour(move.target);
+  } else {
+    end = co_await mover_.go(move.target);
+  }
+  if (end == MoveEnd::kBlocked && !move.detour) {
+    map_.mark_passage(from, direction_between(from, move.target), Passage::kBlocked);
+  } else if (end == MoveEnd::kBlocked) {
+    give_up(move.target);
+  } else if (end == MoveEnd::kNoTag) {
+    no_tag_.insert(move.target);
+    give_up(move.target);
+  } else if (end == MoveEnd::kLost) {
+    const bool found = co_await mover_.recover();
+    if (!found) {
+      co_return false;
+    }
+  }
+  // A detour that found no way has not moved, and costs no slot of the pace.
+  if (!move.detour || end == MoveEnd::kArrived) {
+    co_await dwell(begun, map_.visited_count() > before);
+  }
+  co_return true;
+}
+
+std::optional<Tile> MappingMission::next_doubtful() {
+  std::optional<Tile> nearest;
+  int best = std::numeric_limits<int>::max();
+  for (const auto& [tile, tag] : map_.tiles()) {
+    for (const Direction side : kDirections) {
+      const Tile next = neighbour(tile, side);
+      if (map_.visited(next) || tried_again_.contains(next)) {
+        continue;
+      }
+      const auto sides = std::count_if(kDirections.begin(), kDirections.end(),
+                                       [&](Direction d) { return map_.visited(neighbour(next, d)); });
+      const int way = std::abs(next.column - mover_.at().column) + std::abs(next.row - mover_.at().row);
+      if ((sides >= kDoubtfulSides || no_tag_.contains(next)) && way < best) {
+        best = way;
+        nearest = next;
+      }
+    }
+  }
+  return nearest;
+}
+
+Task<bool> MappingMission::try_doubtful() {
+  while (const std::optional<Tile> tile = next_doubtful()) {
+    tried_again_.insert(*tile);
+    int tries = 0;
+    for (const Direction side : kDirections) {
+      const Tile next = neighbour(*tile, side);
+      if (!map_.visited(next) || map_.visited(*tile) || ++tries > kDoubtfulTries) {
+        continue;
+      }
+      std::vector<Tile> route = shortest_route(map_, mover_.at(), mover_.heading(), {next});
+      for (const Tile step : route) {
+        if (direct_neighbours(mover_.at(), step)) {
+          const bool well = co_await perform({.target = step});
+          if (!well) {
+            co_return false;
+          }
+        }
+      }
+      if (mover_.at() == next) {
+        const bool well = co_await perform({.target = *tile});
+        if (!well) {
+          co_return false;
+        }
+      }
+    }
+    if (map_.visited(*tile)) {
+      co_return true;  // and there may be more behind it
+    }
+  }
+  co_return false;
+}
+
 Task<> MappingMission::run() {
   const Instant begun = io_.sensed.stamp;
-  if (!co_await mover_.find_origin()) {
+  const bool on_carpet = co_await mover_.find_origin();
+  if (!on_carpet) {
     finished_ = true;
     co_return;
   }
+  co_await pilot_.wait_until(io_.sensed.stamp + kFirstLook);
+  co_await mover_.look_round();
   co_await dwell(begun, true);
   succeeded_ = true;
-  for (;;) {
+  bool more = true;
+  while (more && succeeded_) {
     mover_.see_passages();
-    const std::optional<Move> move = explorer_->next(map_, mover_.at(), mover_.heading());
-    if (!move) {
-      break;
+    std::optional<Move> move = explorer_->next(map_, mover_.at(), mover_.heading());
+    while (move && succeeded_) {
+      succeeded_ = co_await perform(*move);
+      mover_.see_passages();
+      move = explorer_->next(map_, mover_.at(), mover_.heading());
     }
-    const Instant move_begun = io_.sensed.stamp;
-    const std::size_t before = map_.visited_count();
-    const Tile from = mover_.at();
-    const Direction side = move->detour ? mover_.heading() : direction_between(from, move->target);
-    MoveEnd end = MoveEnd::kLost;
-    if (move->detour) {
-      end = co_await mover_.detour(move->target);
-    } else {
-      end = co_await mover_.go(move->target);
-    }
-    if (end == MoveEnd::kBlocked) {
-      if (move->detour) {
-        give_up(move->target);
-      } else {
-        map_.mark_passage(from, side, Passage::kBlocked);
-      }
-    } else if (end == MoveEnd::kNoTag) {
-      give_up(move->target);
-      map_.mark_passage(from, side, Passage::kBlocked);
-    } else if (end == MoveEnd::kLost) {
-      succeeded_ = false;
-      break;
-    }
-    // A detour that found no way has not moved, and costs no slot of the pace.
-    if (!move->detour || end == MoveEnd::kArrived) {
-      co_await dwell(move_begun, map_.visited_count() > before);
+    more = false;
+    if (succeeded_) {
+      more = co_await try_doubtful();
     }
   }
   co_await mover_.settle();

@@ -2,6 +2,8 @@
 #pragma once
 
 #include <memory>
+#include <optional>
+#include <set>
 
 #include "robot/base/task.hpp"
 #include "robot/mapping/explorer.hpp"
@@ -40,6 +42,11 @@ class MappingMission {
 
  private:
   Task<> run();
+  /// Does a move and writes its outcome into the map. \returns false when the robot is lost for good
+  Task<bool> perform(Move move);
+  /// Tries tiles once more that were given up or blocked against the look of things. \returns true when one was reached
+  Task<bool> try_doubtful();
+  [[nodiscard]] std::optional<Tile> next_doubtful();
   void give_up(Tile tile);
   Task<> dwell(Instant begun, bool new_tag);
 
@@ -51,6 +58,8 @@ class MappingMission {
   Navigator navigator_;
   Pilot pilot_;
   TileMover mover_;
+  std::set<Tile> no_tag_;       ///< where the way was free and no tag was found
+  std::set<Tile> tried_again_;
   bool finished_{false};
   bool succeeded_{false};
   bool started_{false};

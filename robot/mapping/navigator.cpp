@@ -11,25 +11,18 @@ constexpr double kRimSpeed_mps = 0.025;
 /// The grid is refreshed after this much travel or turn: half a cell, and what moves a beam's end by half a cell.
 constexpr double kLookStep_m = 0.0125;
 constexpr double kLookStep_rad = 0.04;
+/// And standing still every so many steps, 0.3 s.
+constexpr int kLookSteps = 20;
 /// The sweep clears this much less than the body, for the error of the pose.
 constexpr double kSweepMargin_m = 0.03;
-/// A compass indoors is bent by iron, the same way for as long as the robot is near it: one reading a tile, trusted to
-/// 7 degrees (algorithms study, C.2: "use the compass only to pick the 90-degree sector").
-constexpr double kCompassEvery_m = 0.5;
-constexpr double kCompassSigma_rad = 0.12;
-/// Share of what a reading differs that is laid to the place's iron rather than to the robot's heading.
-constexpr double kCompassLearning = 0.05;
 /// Placed by hand over a tag: within the zone, square to the tiles within a few degrees.
 constexpr double kPlacedSigma_m = 0.03;
 constexpr double kPlacedYawSigma_rad = 0.05;
-/// Found again over a tag, somewhere in its zone; the heading is what led astray.
-constexpr double kRelocatedSigma_m = 0.045;
-constexpr double kRelocatedYawSigma_rad = 0.10;
 
 }  // namespace
 
 Navigator::Navigator(const MappingConfig& config, const TileMap& map)
-    : config_(config), map_(map), filter_(config.odometry) {
+    : config_(config), map_(map), filter_(config.odometry, config.compass) {
   filter_.reset(Pose2{}, kPlacedSigma_m, kPlacedYawSigma_rad);
 }
 
@@ -43,7 +36,12 @@ void Navigator::sense(const Sensed& sensed) {
   sense_motion(sensed);
   sense_tag(sensed);
   sense_obstacles(sensed);
-  sense_compass(sensed);
+  if (sensed.bump_left || sensed.bump_right) {
+    filter_.touch();
+  }
+  if (sensed.compass_rad) {
+    filter_.correct_by_compass(*sensed.compass_rad);
+  }
 }
 
 void Navigator::sense_motion(const Sensed& sensed) {
@@ -60,16 +58,22 @@ void Navigator::sense_obstacles(const Sensed& sensed) {
     swept_at_m_ = X_MR.p_m;
   }
   if ((X_MR.p_m - looked_at_m_).norm() < kLookStep_m &&
-      std::abs(wrap_angle(X_MR.yaw_rad - looked_yaw_rad_)) < kLookStep_rad) {
+      std::abs(wrap_angle(X_MR.yaw_rad - looked_yaw_rad_)) < kLookStep_rad && ++steps_since_look_ < kLookSteps) {
     return;
   }
+  steps_since_look_ = 0;
   looked_at_m_ = X_MR.p_m;
   looked_yaw_rad_ = X_MR.yaw_rad;
   for (std::size_t i = 0; i < sensed.light_bump.size(); ++i) {
-    if (const auto range_m = config_.light_bumper.range_m(sensed.light_bump[i])) {
-      const double yaw = config_.light_bumper.yaw_R_rad[i];
-      const double reach = config_.light_bumper.shell_radius_m + *range_m;
-      floor_.add_hit(X_MR * Vec2{reach * std::cos(yaw), reach * std::sin(yaw)});
+    const auto range_m = config_.light_bumper.range_m(sensed.light_bump[i]);
+    const double yaw = X_MR.yaw_rad + config_.light_bumper.yaw_R_rad[i];
+    const Vec2 beam{std::cos(yaw), std::sin(yaw)};
+    const Vec2 shell = X_MR.p_m + config_.light_bumper.shell_radius_m * beam;
+    // A cell short of what was met, for the error of the range.
+    const double seen_m = range_m.value_or(config_.light_bumper.trusted_range_m) - FloorGrid::kCell_m;
+    floor_.see_through(shell, shell + std::max(seen_m, 0.0) * beam);
+    if (range_m) {
+      floor_.add_hit(shell + *range_m * beam);
     }
   }
 }
@@ -118,25 +122,8 @@ void Navigator::miss(Tile tile, double yaw_M_rad) {
 }
 
 void Navigator::relocate(Tile tile) {
-  filter_.reset({centre_m(tile), pose().yaw_rad}, kRelocatedSigma_m, kRelocatedYawSigma_rad);
+  filter_.find_at(zone_of(tile));
   entered_ = entry_usable_ = false;
-}
-
-void Navigator::sense_compass(const Sensed& sensed) {
-  if (!sensed.compass_rad) {
-    return;
-  }
-  if (!compass_offset_rad_) {
-    compass_offset_rad_ = wrap_angle(*sensed.compass_rad - pose().yaw_rad);
-    return;
-  }
-  if (filter_.path_length_m() - compass_at_path_m_ > kCompassEvery_m) {
-    compass_at_path_m_ = filter_.path_length_m();
-    const double yaw = wrap_angle(*sensed.compass_rad - *compass_offset_rad_);
-    const double off = wrap_angle(yaw - filter_.pose().yaw_rad);
-    filter_.correct_heading(yaw, kCompassSigma_rad);
-    compass_offset_rad_ = wrap_angle(*compass_offset_rad_ + kCompassLearning * off);
-  }
 }
 
 void Navigator::remember_bump(int side, const Sensed& sensed) {

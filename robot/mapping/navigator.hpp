@@ -31,6 +31,9 @@ class Navigator {
   [[nodiscard]] const FloorGrid& floor() const { return floor_; }
   [[nodiscard]] double speed_mps() const { return speed_mps_; }
 
+  /// The pose is known too badly to tell which tile a new tag lies on.
+  [[nodiscard]] bool uncertain() { return filter_.position_sigma_m() > kTellTiles * config_.tile_m; }
+
   /// The tag that was identified in this very step.
   [[nodiscard]] std::optional<TagUid> identified() const { return identified_; }
   /// The tag in the antenna's field now, once identified.
@@ -46,11 +49,12 @@ class Navigator {
   void remember_bump(int side, const Sensed& sensed);
 
  private:
+  /// Half a tile is 2.3 standard deviations then.
+  static constexpr double kTellTiles = 0.22;
   [[nodiscard]] ReadZone zone_of(Tile tile) const;
   void sense_motion(const Sensed& sensed);
   void sense_obstacles(const Sensed& sensed);
   void sense_tag(const Sensed& sensed);
-  void sense_compass(const Sensed& sensed);
 
   MappingConfig config_;
   const TileMap& map_;
@@ -60,13 +64,12 @@ class Navigator {
   Vec2 swept_at_m_{1e9, 1e9};
   Vec2 looked_at_m_{1e9, 1e9};
   double looked_yaw_rad_{1e9};
+  int steps_since_look_{0};
   bool in_field_{false};
   std::optional<TagUid> uid_;
   std::optional<TagUid> identified_;
   bool entered_{false};        ///< rolling, so that the place of entry is known
   bool entry_usable_{false};   ///< and not yet used
-  std::optional<double> compass_offset_rad_;
-  double compass_at_path_m_{0.0};
 };
 
 }  // namespace sensotwin::robot

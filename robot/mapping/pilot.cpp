@@ -48,6 +48,9 @@ void Pilot::follow(const Line& line, double speed_mps, double left_m) {
 }
 
 Task<> Pilot::brake() {
+  if (bumped()) {
+    command(0.0, 0.0);  // against something, every further push turns the body
+  }
   while (std::abs(speed_mps_) > 1e-3) {
     command(ramped(0.0), 0.0);
     co_await io_.next;

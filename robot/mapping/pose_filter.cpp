@@ -14,17 +14,21 @@ const double kNegligible = std::log(1.0 / 200.0);
 /// Beliefs closer than this are one.
 constexpr double kSame_m = 0.012;
 constexpr double kSame_rad = 0.02;
-/// Below this the two mirror images are one: the chord is as good as a diameter.
-constexpr double kOffMiddle_m = 0.018;
+/// Below this the two mirror images are one, and the pass was within this of the middle: q^2 = r^2 - h^2 is known to
+/// 2 h 3 mm = (2.2 cm)^2.
+constexpr double kOffMiddle_m = 0.022;
 /// A belief that gave a reading less than this is wrong, not unlucky: about five standard deviations of 1 cm.
 constexpr double kSurprise = -0.5 * 25.0 + 4.6;
 constexpr double kDoubt = 4.0;
+/// Standard deviation per axis, in radii, of a place that is anywhere in a disc: a half.
+constexpr double kSomewhereInZone = 0.5;
 /// Log weight of a belief by which the antenna went well through the zone of a tag that did not answer.
 const double kSilentTag = std::log(0.02);
 
 }  // namespace
 
-PoseFilter::PoseFilter(const OdometryModel& model) : model_(model), beliefs_{{PoseTrack(model), 0.0}} {
+PoseFilter::PoseFilter(const OdometryModel& odometry, const CompassModel& compass)
+    : model_(odometry), beliefs_{{PoseTrack(odometry, compass), 0.0}} {
   beliefs_.reserve(2 * kBeliefs);
 }
 
@@ -96,7 +100,7 @@ void PoseFilter::correct_chord(Belief& belief, const ReadZone& zone, double late
   const bool off_middle = q2 > kOffMiddle_m * kOffMiddle_m;
   const double q = off_middle ? std::sqrt(q2) : 0.0;
   const double across_sigma =
-      off_middle ? std::hypot(half / q * zone.rim_sigma_m, zone.tag_sigma_m) : kOffMiddle_m / 1.2;
+      off_middle ? std::hypot(half / q * zone.rim_sigma_m, zone.tag_sigma_m) : kOffMiddle_m;
   const double along_sigma = std::hypot(zone.rim_sigma_m, zone.tag_sigma_m);
   const double along_value = along.dot(zone.tag_M_m + late) + half;
   for (const double side : {1.0, -1.0}) {
@@ -140,11 +144,29 @@ void PoseFilter::miss_zone(const ReadZone& zone, const Vec2& along_M) {
   settle_weights();
 }
 
-void PoseFilter::correct_heading(double yaw_rad, double sigma_rad) {
+void PoseFilter::find_at(const ReadZone& zone) {
   for (Belief& belief : beliefs_) {
-    belief.log_weight += belief.track.correct_heading(yaw_rad, sigma_rad);
+    belief.track.doubt(kDoubt);
+    for (const Vec2& axis : {Vec2{1.0, 0.0}, Vec2{0.0, 1.0}}) {
+      belief.log_weight += belief.track.correct_position(axis, axis.dot(zone.tag_M_m), kSomewhereInZone * zone.radius_m);
+    }
   }
   settle_weights();
+}
+
+void PoseFilter::correct_by_compass(double reading_rad) {
+  for (Belief& belief : beliefs_) {
+    belief.log_weight += belief.track.correct_by_compass(reading_rad);
+  }
+  if (beliefs_.size() > 1) {
+    settle_weights();
+  }
+}
+
+void PoseFilter::touch() {
+  for (Belief& belief : beliefs_) {
+    belief.track.touch();
+  }
 }
 
 void PoseFilter::settle_weights() {
@@ -167,6 +189,11 @@ void PoseFilter::settle_weights() {
     }
   }
   beliefs_ = std::move(kept);
+}
+
+double PoseFilter::position_sigma_m() {
+  const double yaw = pose().yaw_rad;
+  return std::max(across_sigma_m(), beliefs_.front().track.position_sigma_m({std::cos(yaw), std::sin(yaw)}));
 }
 
 double PoseFilter::across_sigma_m() {

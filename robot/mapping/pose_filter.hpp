@@ -25,7 +25,7 @@ struct ReadZone {
 /// a tag that does not answer) tells which was right. Passing tags off their middle on purpose keeps the images apart.
 class PoseFilter {
  public:
-  explicit PoseFilter(const OdometryModel& model);
+  PoseFilter(const OdometryModel& odometry, const CompassModel& compass);
 
   void reset(const Pose2& X_MR, double position_sigma_m, double yaw_sigma_rad);
   void drive(int counts_left, int counts_right);
@@ -38,11 +38,19 @@ class PoseFilter {
   void leave_zone(const ReadZone& zone, double late_m);
   /// The robot has driven along `along_M` past the place of a tag that should have answered, and none did.
   void miss_zone(const ReadZone& zone, const Vec2& along_M);
-  void correct_heading(double yaw_rad, double sigma_rad);
+  /// The antenna is over this tag, somewhere in its zone, though no belief expected it: all are doubted, then drawn
+  /// there. How far off they were also tells how wrong the heading was.
+  void find_at(const ReadZone& zone);
+  /// \param reading_rad  counter-clockwise from north
+  void correct_by_compass(double reading_rad);
+  /// The body touches something in this control step.
+  void touch();
 
   /// Of the belief with the greatest weight.
   [[nodiscard]] const Pose2& pose() const { return beliefs_.front().track.pose(); }
   [[nodiscard]] double across_sigma_m();
+  /// The greater of the standard deviations along and across.
+  [[nodiscard]] double position_sigma_m();
   [[nodiscard]] double yaw_sigma_rad() { return beliefs_.front().track.yaw_sigma_rad(); }
   /// Metres travelled by the encoders' word since construction, never reset.
   [[nodiscard]] double path_length_m() const { return path_length_m_; }

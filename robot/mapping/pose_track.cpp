@@ -73,6 +73,7 @@ void PoseTrack::propagate_covariance() {
   P_(0, 1) += (along - across) * c * s;
   P_(1, 0) += (along - across) * c * s;
   P_(2, 2) += squared(model_.heading_sigma_rad) * pending_abs_m_ + squared(model_.turn_sigma_rad) * pending_abs_rad_;
+  P_(6, 6) += squared(compass_.bias_sigma_rad) * pending_abs_m_ + squared(compass_.turn_bias_sigma_rad) * pending_abs_rad_;
   pending_m_ = pending_abs_m_ = pending_rad_ = pending_abs_rad_ = 0.0;
   pending_start_m_ = X_MR_.p_m;
 }
@@ -89,6 +90,7 @@ double PoseTrack::correct(const Row& H, double innovation, double sigma) {
   scale_ += change(3);
   turn_scale_ += change(4);
   curvature_rad_per_m_ += change(5);
+  bias_rad_ = wrap_angle(bias_rad_ + change(6));
   pending_start_m_ = X_MR_.p_m;
   return -0.5 * (squared(innovation) / spread + std::log(spread));
 }
@@ -101,18 +103,31 @@ double PoseTrack::correct_position(const Vec2& direction_M, double value_m, doub
   return correct(H, value_m - direction_M.dot(X_MR_.p_m), sigma_m);
 }
 
-double PoseTrack::correct_heading(double yaw_rad, double sigma_rad) {
+double PoseTrack::correct_by_compass(double reading_rad) {
   propagate_covariance();
+  if (!bias_known_) {
+    bias_known_ = true;
+    bias_rad_ = wrap_angle(reading_rad - X_MR_.yaw_rad);
+    P_(6, 6) = squared(kPi);
+  }
   Row H = Row::Zero();
-  H(0, 2) = 1.0;
-  return correct(H, wrap_angle(yaw_rad - X_MR_.yaw_rad), sigma_rad);
+  H(0, 2) = H(0, 6) = 1.0;
+  return correct(H, wrap_angle(reading_rad - X_MR_.yaw_rad - bias_rad_), compass_.noise_sigma_rad);
+}
+
+void PoseTrack::touch() {
+  propagate_covariance();
+  P_(0, 0) += squared(model_.touch_sigma_m);
+  P_(1, 1) += squared(model_.touch_sigma_m);
+  P_(2, 2) += squared(model_.touch_sigma_rad);
 }
 
 void PoseTrack::doubt(double factor) {
   propagate_covariance();
   P_.topLeftCorner<3, 3>() *= squared(factor);
-  P_.topRightCorner<3, 3>().setZero();
-  P_.bottomLeftCorner<3, 3>().setZero();
+  P_(6, 6) *= squared(factor);
+  P_.topRightCorner<3, kStates - 3>().setZero();
+  P_.bottomLeftCorner<kStates - 3, 3>().setZero();
 }
 
 double PoseTrack::position_sigma_m(const Vec2& direction_M) {

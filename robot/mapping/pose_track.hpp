@@ -21,21 +21,39 @@ struct OdometryModel {
   double across_sigma_m{0.010};
   double heading_sigma_rad{0.020};
   double turn_sigma_rad{0.03};
+  /// One sigma of what changes in one control step of touching something: the wheels go on, the body is held and turned.
+  double touch_sigma_m{0.004};
+  double touch_sigma_rad{0.02};
+};
+
+/// What the robot believes of its compass: a slowly changing bias (iron nearby) and noise.
+struct CompassModel {
+  double noise_sigma_rad{0.026};             ///< 1.5 degrees. Chosen: 1 degree of the element, and vibration
+  /// Random walk of the bias: per square root of a metre driven. "5 degrees of spatial distortion" (algorithms study,
+  /// C.2) over a metre.
+  double bias_sigma_rad{0.09};
+  /// And per square root of a radian turned: what is left of the robot's own iron after calibration. Chosen: 1 degree.
+  double turn_bias_sigma_rad{0.017};
 };
 
 /// One belief of where the robot is: an extended Kalman filter over
 ///
-///     x = [ x_m, y_m, yaw_rad, scale, turn_scale, curvature ]     (pose of R in M, then the wheels' errors)
+///     x = [ x_m, y_m, yaw_rad, scale, turn_scale, curvature, bias ]
+///
+/// (pose of R in M; the wheels' errors; compass reading less yaw)
 ///
 /// driven by encoder counts (l, r in metres, b the wheel base),
 ///
 ///     d = (l + r)/2 (1 + scale),  dyaw = (r - l)/b (1 + turn_scale) + curvature d,
 ///     x += d cos(yaw + dyaw/2),  y += d sin(yaw + dyaw/2).
 ///
+/// The compass measures yaw + bias, and the bias wanders with the way driven: so the compass says little of the heading
+/// from room to room, and much of a turn on the spot or of having been pushed aside, where the iron around is the same.
+///
 /// The mean moves at every call; the covariance follows in steps of two centimetres, linearised about the way taken.
 class PoseTrack {
  public:
-  explicit PoseTrack(const OdometryModel& model) : model_(model) {}
+  PoseTrack(const OdometryModel& odometry, const CompassModel& compass) : model_(odometry), compass_(compass) {}
 
   /// Pose afresh, independent of what was believed before; the wheels' learned errors stay.
   void reset(const Pose2& X_MR, double position_sigma_m, double yaw_sigma_rad);
@@ -45,8 +63,11 @@ class PoseTrack {
   /// Shifts the belief so that `direction` . p becomes `value_m`, with this standard deviation.
   /// \returns log of the likelihood that the belief gave to it (up to a constant shared by all beliefs)
   double correct_position(const Vec2& direction_M, double value_m, double sigma_m);
-  double correct_heading(double yaw_rad, double sigma_rad);
-  /// Widens the pose's part by this factor on standard deviations, and forgets its ties to the wheels.
+  /// \param reading_rad  counter-clockwise from north
+  double correct_by_compass(double reading_rad);
+  /// The body touches something in this control step.
+  void touch();
+  /// Widens pose and compass bias by this factor on standard deviations, and forgets what ties the pose to the rest.
   void doubt(double factor);
 
   [[nodiscard]] const Pose2& pose() const { return X_MR_; }
@@ -60,17 +81,21 @@ class PoseTrack {
   [[nodiscard]] Vec2 since_mark_m() const { return X_MR_.p_m - mark_M_m_; }
 
  private:
-  using State = Eigen::Matrix<double, 6, 1>;
-  using Row = Eigen::Matrix<double, 1, 6>;
-  using Covariance = Eigen::Matrix<double, 6, 6>;
+  static constexpr int kStates = 7;
+  using State = Eigen::Matrix<double, kStates, 1>;
+  using Row = Eigen::Matrix<double, 1, kStates>;
+  using Covariance = Eigen::Matrix<double, kStates, kStates>;
   void propagate_covariance();
   double correct(const Row& H, double innovation, double sigma);
 
   OdometryModel model_;
+  CompassModel compass_;
   Pose2 X_MR_;
   double scale_{0.0};
   double turn_scale_{0.0};
   double curvature_rad_per_m_{0.0};
+  double bias_rad_{0.0};
+  bool bias_known_{false};
   Covariance P_{Covariance::Zero()};
   bool wheels_known_{false};
   double pending_m_{0.0};

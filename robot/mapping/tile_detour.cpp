@@ -17,8 +17,7 @@ constexpr double kNear_m = 0.8;
 constexpr double kFar_m = 3.0;
 /// A detour ends after so many plans; each one is spoilt by something newly felt.
 constexpr int kPlansMax = 60;
-/// Rings of the search for the tag the robot came from, when the way home failed.
-constexpr int kHomeRings = 7;
+constexpr int kPlansHome = 20;
 constexpr double kBackOff_m = 0.02;
 /// A corner is rounded when the robot is this near.
 constexpr double kCorner_m = 0.03;
@@ -59,14 +58,20 @@ Task<MoveEnd> TileMover::detour(Tile target) {
     co_return end;
   }
   log_.add(io_.sensed.stamp, MissionEventKind::kUnreachable, target);
-  const MoveEnd home = co_await approach(at_, kPlansMax);
-  if (home != MoveEnd::kArrived) {
-    const auto found = co_await search(std::nullopt, at_, kHomeRings);
-    if (!found) {
-      co_return MoveEnd::kLost;
-    }
+  const bool home = co_await relocalise();
+  if (!home) {
+    co_return MoveEnd::kLost;
   }
   co_return end == MoveEnd::kNoTag ? MoveEnd::kNoTag : MoveEnd::kBlocked;
+}
+
+Task<bool> TileMover::relocalise() {
+  const MoveEnd home = co_await approach(at_, kPlansHome);
+  if (home == MoveEnd::kArrived) {
+    co_return true;
+  }
+  const bool found = co_await recover();
+  co_return found;
 }
 
 Task<MoveEnd> TileMover::approach(Tile target, int plans_max) {
@@ -74,6 +79,12 @@ Task<MoveEnd> TileMover::approach(Tile target, int plans_max) {
   for (int plans = 0; plans < plans_max; ++plans) {
     if (navigator_.tag_in_field() && map_.tile_of(*navigator_.tag_in_field()) == target) {
       co_return MoveEnd::kArrived;
+    }
+    if (navigator_.uncertain() && target != at_) {
+      const bool sure = co_await relocalise();
+      if (!sure) {
+        co_return MoveEnd::kLost;
+      }
     }
     const std::vector<Vec2> corners = way_to(target);
     if (corners.empty()) {
@@ -135,6 +146,9 @@ Task<std::optional<MoveEnd>> TileMover::walk(Tile target, std::vector<Vec2> corn
 std::optional<MoveEnd> TileMover::pass_tag(TagUid tag, Tile target) {
   if (map_.tile_of(tag) == at_ && at_ != target) {
     return std::nullopt;
+  }
+  if (!map_.tile_of(tag) && navigator_.uncertain()) {
+    return std::nullopt;  // a new tag, but who knows which
   }
   const auto end = judge_tag(tag, std::nullopt, target);
   // Known tags on the way are passed by; a new one is written first.

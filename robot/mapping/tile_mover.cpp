@@ -15,7 +15,8 @@ constexpr double kSureClearance_m = 0.135;
 constexpr double kEasyClearance_m = 0.185;
 /// A one-sided bump moves the aim away from that side by this much, so many times.
 constexpr double kNudge_m = 0.015;
-constexpr int kNudges = 5;
+constexpr int kNudges = 8;
+constexpr int kFutileNudges = 3;
 constexpr double kBackOff_m = 0.02;
 /// Progress between two bumps that counts as getting past something.
 constexpr double kProgress_m = 0.01;
@@ -27,7 +28,8 @@ constexpr int kWriteAttempts = 4;
 /// Rings of a search, 11 cm apart: as far as a tag may be from where it was expected; and, when nothing was found, as
 /// far as the next tile's.
 constexpr int kSearchRings = 3;
-constexpr int kLostRings = 7;
+constexpr int kLostRings = 5;
+constexpr int kRecoverRings = 12;
 
 double yaw_of(Direction d) {
   return wrap_angle(static_cast<int>(d) * kPi / 2.0);
@@ -40,16 +42,29 @@ Line TileMover::line_of(Tile from, Direction d) const {
 }
 
 void TileMover::see_passages() {
+  // Driving on, the beams have swept sides of the last tile that were still dark on arrival.
+  see_passages_of(at_);
   for (const Direction d : kDirections) {
-    const Tile next = neighbour(at_, d);
-    if (map_.passage(at_, d) != Passage::kUnknown || map_.visited(next)) {
+    if (map_.visited(neighbour(at_, d))) {
+      see_passages_of(neighbour(at_, d));
+    }
+  }
+}
+
+void TileMover::see_passages_of(Tile tile) {
+  for (const Direction d : kDirections) {
+    const Tile next = neighbour(tile, d);
+    if (map_.passage(tile, d) == Passage::kBlocked || map_.visited(next)) {
       continue;
     }
-    const Line line = line_of(at_, d);
+    const Line line = line_of(tile, d);
     const double reach = config_.tile_m - config_.read_radius_m;
     if (navigator_.floor().blocks(line.from_M_m, line.from_M_m + reach * line.along(), kSureClearance_m)) {
-      map_.mark_passage(at_, d, Passage::kBlocked);
+      map_.mark_passage(tile, d, Passage::kBlocked);
       log_.add(io_.sensed.stamp, MissionEventKind::kPassageSeen, next);
+    } else {
+      // The beams reach as far as a wall at the tile's border; what stands farther off is found by driving there.
+      map_.mark_passage(tile, d, Passage::kOpen);
     }
   }
 }
@@ -152,6 +167,15 @@ Task<bool> TileMover::find_origin() {
   co_return true;
 }
 
+Task<> TileMover::look_round() {
+  // The outer beams look 65 degrees aside: turns of 120 to either side show them all that is behind, corners included.
+  // As far left as right, so that what the wheels get wrong in turning cancels.
+  const double ahead = navigator_.pose().yaw_rad;
+  for (const double aside_deg : {120.0, 0.0, -120.0, 0.0}) {
+    co_await pilot_.turn_to(wrap_angle(ahead + rad_from_deg(aside_deg)));
+  }
+}
+
 Task<> TileMover::settle() {
   const Line line = line_of(at_, heading_);
   for (;;) {
@@ -181,8 +205,11 @@ Task<> TileMover::hold_for_write(Tile tile) {
       const Line line{navigator_.centre_m(tile), yaw};
       if (behind) {
         co_await pilot_.back_along(line, 0.0, 0.0);
-      } else if (!co_await creep_to(navigator_.centre_m(tile))) {
-        break;
+      } else {
+        const bool there = co_await creep_to(navigator_.centre_m(tile), std::nullopt);
+        if (!there) {
+          break;
+        }
       }
       if (!navigator_.anything_in_field()) {
         break;
@@ -258,6 +285,7 @@ Task<MoveEnd> TileMover::roll(Tile from, Tile target, Direction d) {
   const double aim_most = config_.read_radius_m - kAimMargin_m;
   const double give_up_m = config_.tile_m + config_.read_radius_m + 0.04;
   int nudges = 0;
+  int futile = 0;
   double furthest_m = -1.0;
   for (;;) {
     if (const auto tag = navigator_.identified()) {
@@ -268,16 +296,17 @@ Task<MoveEnd> TileMover::roll(Tile from, Tile target, Direction d) {
     }
     const double s = line.along_m(navigator_.pose().p_m);
     if (pilot_.hazard()) {
-      co_return co_await give_way(from, line);
+      const MoveEnd end = co_await give_way(from, line);
+      co_return end;
     }
     if (pilot_.bumped()) {
       ++log_.counts.bumps;
       const int side = pilot_.bump_side();
       navigator_.remember_bump(side, io_.sensed);
-      const bool progress = s > furthest_m + kProgress_m;
+      futile = s > furthest_m + kProgress_m ? 0 : futile + 1;
       furthest_m = std::max(furthest_m, s);
-      aim -= side * kNudge_m;
-      if (side == 0 || (!progress && nudges > 2) || ++nudges > kNudges || std::abs(aim) > aim_most) {
+      aim = std::clamp(aim - side * kNudge_m, -aim_most, aim_most);
+      if (side == 0 || futile > kFutileNudges || ++nudges > kNudges) {
         co_return co_await give_way(from, line);
       }
       co_await pilot_.back_along(line, s - kBackOff_m, aim);
@@ -296,6 +325,11 @@ Task<MoveEnd> TileMover::roll(Tile from, Tile target, Direction d) {
   }
 }
 
+Task<bool> TileMover::recover() {
+  const auto found = co_await search(std::nullopt, at_, kRecoverRings);
+  co_return found.has_value() && *found != MoveEnd::kLost;
+}
+
 Task<MoveEnd> TileMover::give_way(Tile from, Line line) {
   log_.add(io_.sensed.stamp, MissionEventKind::kPassageBumped, neighbour(from, heading_));
   co_await pilot_.back_along(line, 0.0, 0.0);
@@ -303,16 +337,21 @@ Task<MoveEnd> TileMover::give_way(Tile from, Line line) {
   co_return MoveEnd::kBlocked;
 }
 
-Task<bool> TileMover::creep_to(Vec2 p_M_m) {
+bool TileMover::over_tag_other_than(std::optional<Tile> tile) const {
+  const auto tag = navigator_.tag_in_field();
+  return tag && (!tile || map_.tile_of(*tag) != tile);
+}
+
+Task<bool> TileMover::creep_to(Vec2 p_M_m, std::optional<Tile> ignored) {
   const Vec2 way = p_M_m - navigator_.pose().p_m;
-  if (way.norm() < 0.01) {
+  if (way.norm() < 0.01 || over_tag_other_than(ignored)) {
     co_return true;
   }
   const Line line{navigator_.pose().p_m, std::atan2(way.y(), way.x())};
   co_await pilot_.turn_to(line.yaw_rad);
   for (;;) {
     const double left_to_go = way.norm() - line.along_m(navigator_.pose().p_m);
-    if (left_to_go < 0.01 || navigator_.identified()) {
+    if (left_to_go < 0.01 || over_tag_other_than(ignored)) {
       co_return true;
     }
     if (pilot_.bumped() || pilot_.hazard()) {
@@ -339,9 +378,8 @@ Task<std::optional<MoveEnd>> TileMover::search(std::optional<Tile> from, Tile ta
       if (navigator_.floor().blocks(p, p, kSureClearance_m)) {
         continue;
       }
-      co_await creep_to(p);
-      const auto tag = navigator_.identified() ? navigator_.identified() : navigator_.tag_in_field();
-      if (tag) {
+      co_await creep_to(p, from);
+      if (const auto tag = navigator_.tag_in_field()) {
         const std::optional<MoveEnd> end = judge_tag(*tag, from, target);
         if (end) {
           co_await pilot_.brake();

@@ -33,10 +33,14 @@ class TileMover {
   Task<MoveEnd> go(Tile target);
   /// Goes to `target` by any way the floor may offer.
   Task<MoveEnd> detour(Tile target);
+  /// Turns to both sides and back, so that the light bumper has seen everything round the robot.
+  Task<> look_round();
+  /// Lost: looks for any tag in growing rings, farther than a move does. \returns false when none was found
+  Task<bool> recover();
   /// Brings the robot to rest over the tag of at().
   Task<> settle();
 
-  /// Marks those passages of at() blocked that the light bumper has seen something in.
+  /// Marks those passages of at() and of its visited neighbours blocked that the light bumper has seen something in.
   void see_passages();
 
   /// The tile whose tag was read last.
@@ -51,14 +55,19 @@ class TileMover {
  private:
   [[nodiscard]] Line line_of(Tile from, Direction d) const;
   [[nodiscard]] double clearest_aim(const Line& line, double length_m) const;
+  void see_passages_of(Tile tile);
   Task<> face(Direction d);
   Task<MoveEnd> roll(Tile from, Tile target, Direction d);
   Task<MoveEnd> give_way(Tile from, Line line);
   /// Looks for the tag of `target` round its place; that of `from` does not count. Any other tag ends the
   /// search too.
   Task<std::optional<MoveEnd>> search(std::optional<Tile> from, Tile target, int rings);
-  /// Straight and slowly to a point; stops at any tag. \returns false when something was in the way
-  Task<bool> creep_to(Vec2 p_M_m);
+  [[nodiscard]] bool over_tag_other_than(std::optional<Tile> tile) const;
+  /// Straight and slowly to a point; stops at any tag but that of `ignored`. \returns false when something was in the
+  /// way
+  Task<bool> creep_to(Vec2 p_M_m, std::optional<Tile> ignored);
+  /// Back over the tag of at(), or of any known one. \returns false when none was found
+  Task<bool> relocalise();
   [[nodiscard]] std::vector<Vec2> way_to(Tile target) const;
   /// Plans and walks until the target's tag is read, nothing is left to try, or `plans_max` plans were spoilt.
   Task<MoveEnd> approach(Tile target, int plans_max);

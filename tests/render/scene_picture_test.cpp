@@ -55,6 +55,54 @@ TEST_F(TopView, ShowsWallsFurnitureAndRobotWhereTheyAre) {
   EXPECT_THAT(at(picture, {7.0, 7.0}), ColorNear(palette::kPaper, 0)) << "outside the house";
 }
 
+/// A room as a map's cells give it: every side a cell long, with free space on its left; and a block within, the other
+/// way round.
+SceneView traced_room() {
+  SceneView view;
+  const auto walked = [](std::vector<Vec2> corners) {
+    constexpr int kCells = 40;
+    WallView wall;
+    for (std::size_t i = 0; i < corners.size(); ++i) {
+      const Vec2& from = corners[i];
+      const Vec2 along = corners[(i + 1) % corners.size()] - from;
+      for (int k = 0; k < kCells; ++k) {
+        wall.points_m.push_back(from + along * (static_cast<double>(k) / kCells));
+      }
+    }
+    return wall;
+  };
+  view.walls.push_back(walked({{0, 0}, {4, 0}, {4, 3}, {0, 3}}));
+  view.walls.push_back(walked({{2.2, 1}, {2.2, 2}, {3.2, 2}, {3.2, 1}}));
+  view.tiles.push_back({{2.3, 1.5}, 0.5, 0.0, TileState::kBlocked, ""});
+  return view;
+}
+
+TEST_F(TopView, FillsWhatTheWallsOfAMapEncloseOverTheCarpet) {
+  const Picture picture = drawn(traced_room());
+  EXPECT_THAT(at(picture, {2.4, 1.6}), ColorNear(palette::kMasonry, 2));
+  EXPECT_THAT(at(picture, {1.0, 1.0}), ColorNear(palette::kFloor, 2));
+}
+
+TEST_F(ObliqueView, CutsAllWallsOfAMapSoThatItsRoomsCanBeSeen) {
+  SceneView view = traced_room();
+  view.walls.pop_back();
+  auto oblique = draw_oblique_view(gl(), view, kSmall);
+  ASSERT_TRUE(oblique);
+  const Picture& picture = *oblique;
+  // In front of a wall of full height this spot at the back would be its face.
+  EXPECT_THAT(at(picture, {2.0, 2.6}), ColorNear(palette::kFloor, 2));
+  EXPECT_THAT(at(picture, {2.0, 0.2}), ColorNear(palette::kFloor, 2));
+}
+
+TEST_F(TopView, MarksTagsLightOnDarkTilesAndDarkOnLightOnes) {
+  SceneView view;
+  view.tiles = {{{0.0, 0.0}, 0.5, 0.0, TileState::kBlack, ""}, {{0.5, 0.0}, 0.5, 0.0, TileState::kUnvisited, ""}};
+  view.tags = {{{0.0, 0.0}, false}, {{0.5, 0.0}, false}};
+  const Picture picture = drawn(view, {});
+  EXPECT_THAT(at(picture, {0.0, 0.0}), ColorNear(palette::kHairline, 12));
+  EXPECT_THAT(at(picture, {0.5, 0.0}), ColorNear(palette::kSoftInk, 12));
+}
+
 TEST_F(TopView, ColoursThePathByTime) {
   SceneView view;
   view.tiles.push_back({{2.0, 0.0}, 4.0, 0.0, TileState::kBlack, ""});

@@ -13,7 +13,8 @@ Command make_epsilon_command(Deed<EpsilonOptions> deed) {
       .summary = "repeat SensoBot's study of superfluous visits over random rooms",
       .examples =
           "twin epsilon\n"
-          "twin epsilon --explorer idfm --explorer sweep --maps 100 --jobs 4 --out epsilon.csv",
+          "twin epsilon --explorer idfm --explorer sweep --maps 100 --jobs 4 --out epsilon.csv\n"
+          "twin epsilon --chart epsilon.png",
       .set_up =
           [options](CLI::App& app) {
             app.add_option("--explorer", options->explorers, "Explorer to study; may be repeated")
@@ -31,6 +32,8 @@ Command make_epsilon_command(Deed<EpsilonOptions> deed) {
                            "Blocked neighbours are known on arrival, or by bumping")
                 ->check(CLI::IsMember({"adjacent", "bump"}))
                 ->option_text("adjacent|bump");
+            app.add_option("--chart", options->chart, "Heat map of the first explorer's cells, as the paper counts")
+                ->option_text("PATH");
             add_output_options(app, options->out, options->force, "CSV with every cell");
           },
       .run = [options, deed = std::move(deed)](Context& context) { return deed(*options, context); },

@@ -51,6 +51,8 @@ std::vector<Command> commands() {
 
 int main(int argc, char** argv) {
   install_signal_handlers();
+  // llvmpipe's threads cost more than they save at the size of our pictures (render/README.md).
+  ::setenv("LP_NUM_THREADS", "1", 0);  // NOLINT(concurrency-mt-unsafe): no thread runs yet
   const auto begin = std::chrono::steady_clock::now();
   const char* no_color = std::getenv("NO_COLOR");  // NOLINT(concurrency-mt-unsafe): no thread runs yet
   const Environment environment{

@@ -19,7 +19,7 @@ void check_expectations(const Scene& scene) {
     limits.push_back({expectation.name, expectation.min, expectation.max});
   }
   if (const auto complaint = complain_about(limits)) {
-    throw CommandError(ExitCode::kInvalidData, fmt::format("{}: expect: {}", scene.file, *complaint));
+    throw CommandError(ExitCode::kInvalidData, fmt::format("{}: {}", scene.file, *complaint));
   }
 }
 
@@ -42,8 +42,8 @@ std::string table_of(const Summary& summary) {
 }
 
 ExitCode exit_code_of(const Summary& summary) {
-  if (const auto interruption = pending_interruption()) {
-    return *interruption;
+  if (summary.interrupted) {
+    return pending_interruption().value_or(ExitCode::kInterrupted);
   }
   return verdict_of(summary) == "accepted" ? ExitCode::kDone : ExitCode::kNotAccepted;
 }

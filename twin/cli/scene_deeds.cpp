@@ -35,6 +35,12 @@ std::string_view summary_of(robot::ExplorerKind kind) {
   return "ours, the default: plans the rest ahead, detours round what blocks straight moves";
 }
 
+/// Maps are often called map.yaml: then the folder tells more.
+std::string map_name(const std::filesystem::path& map) {
+  const auto folder = std::filesystem::absolute(map).lexically_normal().parent_path().filename();
+  return (map.stem() == "map" && !folder.empty() ? folder : map.stem()).string();
+}
+
 Probe renderer_probe(render::Backend backend, bool required) {
   return {.name = fmt::format("renderer {}", render::name_of(backend)), .required = required, .look = [backend] {
             const auto context = render::make_context(backend);
@@ -74,11 +80,13 @@ ExitCode import_deed(const ImportOptions& options, Context& context) {
     const auto path = options.out.value_or(fallback.replace_extension(".scene.yaml").filename());
     const auto folder = std::filesystem::absolute(path).parent_path();
     const auto from_scene = std::filesystem::absolute(options.map).lexically_relative(folder);
+    const std::string name = map_name(options.map);
     const std::string text = fmt::format(
-        "# {} as a carpeted floor: every tile that its free space can hold.\nversion: 1\nseed: 1\nworld:\n"
+        "# {} as a carpeted floor: every tile that its free space can hold.\nversion: 1\nseed: 1\n"
+        "title: \"{}, carpeted\"\nworld:\n"
         "  map: {{ file: {} }}\n  carpet: {{ tile_m: {:g} }}\nmission: {{ map: {{}} }}\n"
         "expect:\n  tiles_missed: {{ max: 0 }}\n  tiles_wrong: {{ max: 0 }}\n",
-        options.map.parent_path().filename().string(), from_scene.string(), options.tile_m);
+        name, name, from_scene.string(), options.tile_m);
     const Scene scene = read_scene_text(text, path);
     write_file(path, text, options.force);
     context.say(fmt::format("{:.0f} m2 of floor, {} walls of {} segments, {} tiles", figures.free_m2, figures.outlines,

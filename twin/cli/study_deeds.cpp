@@ -50,6 +50,32 @@ render::ExplorerRun found_in(const std::filesystem::path& folder, const std::str
   return run;
 }
 
+/// SensoBot's Figure 8, seen from above: the first explorer, the paper's counting.
+render::HeatmapChart surface_of(const EpsilonStudy& study) {
+  const ExplorerEpsilon& explorer = study.explorers.front();
+  render::HeatmapChart chart;
+  chart.frame.title = fmt::format("Superfluous visits of {}, as the paper counts", robot::name_of(explorer.explorer));
+  chart.frame.subtitle = fmt::format("mean of {} rooms of 324 tags a cell · seed {} · fit {:.4f} Bp {:+.4f} Bd {:+.4f}",
+                                     study.options.maps_per_cell, study.options.seed,
+                                     explorer.paper_fit.per_blocked_percent, explorer.paper_fit.per_chunk,
+                                     explorer.paper_fit.constant);
+  chart.frame.x.label = "Bd, pieces of furniture";
+  chart.frame.y.label = "Bp, blocked tags in per cent";
+  chart.value_label = "epsilon in per cent";
+  for (const EpsilonCell& cell : explorer.cells) {
+    const std::string row = fmt::format("{}", cell.obstacles.blocked_percent);
+    const std::string column = fmt::format("{}", cell.obstacles.chunks);
+    if (chart.rows.empty() || chart.rows.back() != row) {
+      chart.rows.push_back(row);
+    }
+    if (chart.rows.size() == 1) {
+      chart.columns.push_back(column);
+    }
+    chart.values.push_back(cell.paper.mean_percent);
+  }
+  return chart;
+}
+
 }  // namespace
 
 ExitCode chart_deed(const ChartOptions& options, Context& context) {
@@ -62,6 +88,9 @@ ExitCode chart_deed(const ChartOptions& options, Context& context) {
       chart.seed = summary.at("seed").get<std::uint64_t>();
       chart.tags_total = std::max(chart.tags_total, map.at("tiles_mapped").get<int>());
       chart.runs.push_back(found_in(folder, map.at("explorer").get<std::string>()));
+      // To the end of the mission: the way back is part of its minutes.
+      auto& found = chart.runs.back().found;
+      found.push_back({std::max(map.at("minutes").get<double>(), found.back().x), found.back().y});
     } catch (const nlohmann::json::exception& error) {
       throw CommandError(ExitCode::kInvalidData,
                          fmt::format("{}: {}", (folder / "summary.json").string(), error.what()));
@@ -101,6 +130,10 @@ ExitCode epsilon_deed(const EpsilonOptions& options, Context& context) {
   });
   if (options.out) {
     write_file(*options.out, to_csv(result), options.force);
+  }
+  if (options.chart) {
+    const auto drawn = drawn_or_throw(render::draw(surface_of(result)));
+    write_picture(*options.chart, drawn.image, fmt::format("seed {}", study.seed), options.force);
   }
   context.out << (context.json ? to_json(result) : to_table(result));
   return ExitCode::kDone;

@@ -107,17 +107,12 @@ std::vector<FigureLimits> limits_of(const Scene& scene) {
 
 /// \returns true when the mission ended by itself or by the time limit, false when it was told to stop
 bool loop(const Scene& scene, MappingTwin& twin, RunRecorder& recorder, TickTimer& timer,
-          const MappingRunOptions& options) {
+          const std::function<bool()>& may_go_on) {
   const robot::Instant limit{robot::from_s(scene.limits.time_limit_s)};
   for (int tick = 0; !twin.done() && twin.now() < limit; ++tick) {
     timer.tick(twin, recorder);
-    if (tick % kAskEvery == 0 && options.keep_going) {
-      const RunProgress progress{.sim_s = robot::to_s(twin.now()),
-                                 .tiles_found = static_cast<int>(recorder.found().size()),
-                                 .tiles_total = static_cast<int>(scene.world.carpet.tiles.size())};
-      if (!options.keep_going(progress)) {
-        return false;
-      }
+    if (tick % kAskEvery == 0 && !may_go_on()) {
+      return false;
     }
   }
   return true;
@@ -130,8 +125,14 @@ Summary run_mapping(const Scene& scene, RunFolder& folder, const MappingRunOptio
   MappingTwin twin(scene);
   RunRecorder recorder(folder, options.trace_every);
   TickTimer timer(options.wall_s);
+  const auto may_go_on = [&] {
+    return !options.keep_going ||
+           options.keep_going({.sim_s = robot::to_s(twin.now()),
+                               .tiles_found = static_cast<int>(recorder.found().size()),
+                               .tiles_total = static_cast<int>(scene.world.carpet.tiles.size())});
+  };
   Summary summary;
-  summary.interrupted = !loop(scene, twin, recorder, timer, options);
+  summary.interrupted = !loop(scene, twin, recorder, timer, may_go_on);
   recorder.finish();
   const double looped = options.wall_s ? options.wall_s() : 0.0;
 
@@ -154,8 +155,9 @@ Summary run_mapping(const Scene& scene, RunFolder& folder, const MappingRunOptio
   summary.expect = judge(limits_of(scene), figures_of(summary));
 
   write_map(folder, recovered_grid(twin.program().mission(), scene.world.carpet.tile_m));
-  if (options.pictures) {
-    draw_run(scene, twin, recorder, verdict, placement, summary, folder);
+  if (options.pictures && !summary.interrupted) {
+    // Whoever interrupts is answered within a second; a house takes three to draw.
+    summary.interrupted = !draw_run(scene, twin, recorder, verdict, placement, summary, folder, may_go_on);
   }
   folder.write("summary.json", to_json(summary));
   if (options.wall_s) {

@@ -22,7 +22,8 @@ struct MappingRunOptions {
   std::string scene_as_given;   ///< as summary.json names it
   int trace_every{7};           ///< ticks from row to row of trace.csv
   bool pictures{true};
-  /// Asked a few hundred times a simulated hour; false ends the run in order, with valid files.
+  /// Asked a few hundred times a simulated hour, and between pictures; false ends the run in order, with valid files
+  /// and no further picture.
   std::function<bool(const RunProgress&)> keep_going;
   /// main's clock, s. Only timing.json depends on it.
   std::function<double()> wall_s;

@@ -22,7 +22,16 @@ robot::MoveCost move_cost_of(const MapMission& mission, double tile_m) {
   if (mission.pace.tile_s > 0.0) {
     return {.tile_s = mission.pace.tile_s, .quarter_turn_s = 0.0};
   }
-  return {.tile_s = tile_m / mission.pace.speed_mps, .quarter_turn_s = robot::kPi / 2.0 / mission.pace.turn_radps};
+  // A turn costs its angle, the ramps of turning, and the stop before it and the start after it.
+  const robot::MappingConfig drive;
+  const double ramps_s = mission.pace.speed_mps / drive.acceleration_mps2 +
+                         mission.pace.turn_radps / drive.turn_acceleration_radps2;
+  return {.tile_s = tile_m / mission.pace.speed_mps,
+          .quarter_turn_s = robot::kPi / 2.0 / mission.pace.turn_radps + ramps_s};
+}
+
+robot::MappingLinks rewired(const robot::MappingLinks& links, const MappingTwin::Rewiring& rewire) {
+  return rewire ? rewire(links) : links;
 }
 
 }  // namespace
@@ -48,7 +57,7 @@ robot::MappingProgramConfig mapping_config_of(const Scene& scene, std::uint32_t 
   return config;
 }
 
-MappingTwin::MappingTwin(const Scene& scene)
+MappingTwin::MappingTwin(const Scene& scene, const Rewiring& rewire)
     : random_(scene.seed),
       map_id_(static_cast<std::uint32_t>(random_.fork("map id").seed())),
       world_(scene.world, scene.robot, scene.physics, random_.fork("world")),
@@ -58,7 +67,7 @@ MappingTwin::MappingTwin(const Scene& scene)
       floor_reader_(card_reader_settings(scene.robot.floor_reader), random_.fork("floor reader")),
       forward_reader_(card_reader_settings(scene.robot.forward_reader), random_.fork("forward reader")),
       compass_(scene.robot.compass),
-      program_({serial_, floor_reader_, forward_reader_, compass_}, mapping_config_of(scene, map_id_),
+      program_(rewired({serial_, floor_reader_, forward_reader_, compass_}, rewire), mapping_config_of(scene, map_id_),
                robot::make_explorer(scene.mission.map->explorer,
                                     move_cost_of(*scene.mission.map, scene.world.carpet.tile_m))) {}
 

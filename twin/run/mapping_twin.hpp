@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <optional>
 
 #include "robot/base/random.hpp"
@@ -22,8 +23,12 @@ namespace sensotwin::twin {
 /// Neither copies nor moves: the program holds references to the devices.
 class MappingTwin {
  public:
+  /// Puts something between the devices and the program, for instance faults: takes the devices' ends of the wires and
+  /// gives those that the program gets, which must outlive the twin.
+  using Rewiring = std::function<robot::MappingLinks(const robot::MappingLinks&)>;
+
   /// \pre scene.mission.map
-  explicit MappingTwin(const Scene& scene);
+  explicit MappingTwin(const Scene& scene, const Rewiring& rewire = {});
   MappingTwin(const MappingTwin&) = delete;
   MappingTwin& operator=(const MappingTwin&) = delete;
 

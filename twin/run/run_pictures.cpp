@@ -19,6 +19,9 @@ namespace {
 /// Moments of the progress sheet and of snapshots/, as fractions of the tiles found (SensoBot, Figure 6 shows six).
 constexpr std::array<double, 6> kMoments{0.1, 0.25, 0.45, 0.65, 0.85, 1.0};
 
+/// Snapshots are leafed through: smaller than the other pictures, and drawn in less than half the time.
+constexpr render::PictureOptions kSnapshot{.width_px = 1000};
+
 template <class T>
 T drawn(render::Rendered<T> result, std::string_view name) {
   if (!result) {
@@ -32,18 +35,29 @@ T drawn(render::Rendered<T> result, std::string_view name) {
 class RunPainter {
  public:
   RunPainter(const Scene& scene, const MappingTwin& twin, const RunRecorder& recorder, const MapVerdict& verdict,
-             const std::optional<MapPlacement>& placement, const Summary& summary, RunFolder& folder)
+             const std::optional<MapPlacement>& placement, const Summary& summary, RunFolder& folder,
+             const std::function<bool()>& may_go_on)
       : scene_(scene), twin_(twin), recorder_(recorder), verdict_(verdict), placement_(placement), summary_(summary),
-        folder_(folder), context_(drawn(render::make_context(), "pictures")),
+        folder_(folder), may_go_on_(may_go_on), context_(drawn(render::make_context(), "pictures")),
         base_(view_of(scene, twin.world().tags(), twin.world().X_WF())) {}
 
-  void draw_all() {
+  /// \returns false when it was told to stop
+  bool draw_all() {
     const render::SceneView end = final_view();
     save("floorplan.png", drawn(render::draw_top_view(*context_, end), "floorplan.png").image);
+    if (!may_go_on_()) {
+      return false;
+    }
     save("oblique.png", drawn(render::draw_oblique_view(*context_, end), "oblique.png").image);
+    if (!may_go_on_()) {
+      return false;
+    }
     save("recovered.png", drawn(render::draw_recovered_plan(*context_, recovered_view()), "recovered.png").image);
-    draw_progress();
+    if (!may_go_on_() || !draw_progress() || !may_go_on_()) {
+      return false;
+    }
     draw_chart();
+    return true;
   }
 
  private:
@@ -105,7 +119,9 @@ class RunPainter {
       const std::size_t back = std::min<std::size_t>(view.trajectory.size(), 4);
       const auto& before = view.trajectory[view.trajectory.size() - back].p_m;
       const double yaw = std::atan2(end.y() - before.y(), end.x() - before.x());
-      view.robot = render::RobotView{{end, yaw}, scene_.robot.base.radius_m, scene_.robot.base.height_m};
+      const bool now = until_s >= summary_.sim_s;
+      view.robot = render::RobotView{now ? twin_.world().X_WR() : robot::Pose2{end, yaw}, scene_.robot.base.radius_m,
+                                     scene_.robot.base.height_m};
     }
     if (!placement_) {
       return view;
@@ -131,21 +147,31 @@ class RunPainter {
 
   [[nodiscard]] render::SceneView recovered_view() const {
     render::SceneView view = base_;
-    view.title = "Recovered floor plan over the true one";
+    view.title = "Recovered plan over the true one, as the tags hold it";
     view.subtitle = figures();
     view.tiles.clear();
     view.tags.clear();
+    view.start.reset();  // the tile (0, 0) says it
+    for (render::LandmarkView& mark : view.landmarks) {
+      mark.label.clear();
+    }
     for (std::size_t i = 0; i < verdict_.tiles.size(); ++i) {
       const TileOutcome outcome = verdict_.tiles[i].outcome;
       if (outcome != TileOutcome::kBeyond) {
         view.tiles.push_back(base_.tiles[i]);
-        view.tiles.back().state = state_of(verdict_.tiles[i]);
+        render::TileView& tile = view.tiles.back();
+        tile.state = state_of(verdict_.tiles[i]);
+        if (outcome == TileOutcome::kMapped && placement_) {
+          const robot::Tile own = tile_in_map(*placement_, verdict_.tiles[i].column, verdict_.tiles[i].row);
+          tile.label = fmt::format("{},{}", own.column, own.row);
+        }
       }
     }
     return view;
   }
 
-  void draw_progress() {
+  /// \returns false when it was told to stop
+  bool draw_progress() {
     render::ProgressSheet sheet;
     sheet.title = scene_.title;
     sheet.subtitle = figures();
@@ -158,13 +184,17 @@ class RunPainter {
       const double t_s = last ? summary_.sim_s : recorder_.found()[nth].t_s;
       render::SceneView plan = view_at(t_s);
       plan.subtitle = fmt::format("{} tiles after {:.1f} min", nth + 1, t_s / 60.0);
-      const auto picture = drawn(render::draw_top_view(*context_, plan), "snapshots");
+      const auto picture = drawn(render::draw_top_view(*context_, plan, kSnapshot), "snapshots");
       save(fmt::format("snapshots/{:03d}_tiles.png", nth + 1), picture.image);
       sheet.frames.push_back({t_s, std::move(plan)});
+      if (!may_go_on_()) {
+        return false;
+      }
     }
     if (!sheet.frames.empty()) {
       save("progress.png", drawn(render::draw_progress_sheet(*context_, sheet), "progress.png").image);
     }
+    return true;
   }
 
   void draw_chart() {
@@ -176,6 +206,8 @@ class RunPainter {
     for (const FoundTile& found : recorder_.found()) {
       run.found.push_back({found.t_s / 60.0, static_cast<double>(run.found.size())});
     }
+    // To the end of the mission: the way back is part of its minutes.
+    run.found.push_back({summary_.map->minutes, run.found.back().y});
     chart.runs.push_back(std::move(run));
     const auto image = drawn(render::draw(render::tags_over_time_chart(chart)), "tags_over_time.png").image;
     save("tags_over_time.png", image);
@@ -188,15 +220,17 @@ class RunPainter {
   const std::optional<MapPlacement>& placement_;
   const Summary& summary_;
   RunFolder& folder_;
+  const std::function<bool()>& may_go_on_;
   std::unique_ptr<render::OffscreenContext> context_;
   render::SceneView base_;
 };
 
 }  // namespace
 
-void draw_run(const Scene& scene, const MappingTwin& twin, const RunRecorder& recorder, const MapVerdict& verdict,
-              const std::optional<MapPlacement>& placement, const Summary& summary, RunFolder& folder) {
-  RunPainter(scene, twin, recorder, verdict, placement, summary, folder).draw_all();
+bool draw_run(const Scene& scene, const MappingTwin& twin, const RunRecorder& recorder, const MapVerdict& verdict,
+              const std::optional<MapPlacement>& placement, const Summary& summary, RunFolder& folder,
+              const std::function<bool()>& may_go_on) {
+  return RunPainter(scene, twin, recorder, verdict, placement, summary, folder, may_go_on).draw_all();
 }
 
 }  // namespace sensotwin::twin

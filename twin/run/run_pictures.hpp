@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <functional>
 #include <optional>
 
 #include "render/offscreen_context.hpp"
@@ -13,8 +14,11 @@
 
 namespace sensotwin::twin {
 
-/// Draws what a run came to into its folder. \throws OutputError; a missing renderer is one, with its remedy
-void draw_run(const Scene& scene, const MappingTwin& twin, const RunRecorder& recorder, const MapVerdict& verdict,
-              const std::optional<MapPlacement>& placement, const Summary& summary, RunFolder& folder);
+/// Draws what a run came to into its folder.
+/// \param may_go_on  asked between pictures  \returns false when it said no: those drawn so far stay
+/// \throws OutputError; a missing renderer is one, with its remedy
+[[nodiscard]] bool draw_run(const Scene& scene, const MappingTwin& twin, const RunRecorder& recorder,
+                            const MapVerdict& verdict, const std::optional<MapPlacement>& placement,
+                            const Summary& summary, RunFolder& folder, const std::function<bool()>& may_go_on);
 
 }  // namespace sensotwin::twin

@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: MIT
 // The program as users meet it: a process with two streams and an exit code.
 #include <gmock/gmock.h>
-#include <sys/wait.h>
 
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
 #include <nlohmann/json.hpp>
-#include <sstream>
 #include <string>
+
+#include "twin_process.hpp"
 
 namespace {
 
@@ -16,28 +16,9 @@ using ::testing::HasSubstr;
 using ::testing::IsEmpty;
 using ::testing::Not;
 
-struct Outcome {
-  int code{-1};
-  std::string out{};
-  std::string err{};
-};
-
-std::string take(const std::filesystem::path& file) {
-  std::ifstream in(file, std::ios::binary);
-  std::ostringstream text;
-  text << in.rdbuf();
-  std::filesystem::remove(file);
-  return text.str();
-}
-
-/// Runs `twin <arguments>` in a shell. \param before  environment, for instance "NO_COLOR=1"
-Outcome twin(const std::string& arguments, const std::string& before = "") {
-  const std::string base = ::testing::TempDir() + "twin-program-" + std::to_string(getpid());
-  const std::string line = before + " '" + TWIN_PROGRAM + "' " + arguments + " >'" + base + ".out' 2>'" +
-                           base + ".err' </dev/null";
-  const int status = std::system(line.c_str());  // NOLINT(cert-env33-c): a shell is what users have
-  return {WEXITSTATUS(status), take(base + ".out"), take(base + ".err")};
-}
+using ::sensotwin::twin::Outcome;
+using ::sensotwin::twin::take;
+using ::sensotwin::twin::twin;
 
 TEST(Program, PrintsItsVersionOnStdout) {
   const Outcome outcome = twin("--version");

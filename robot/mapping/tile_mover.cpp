@@ -197,6 +197,9 @@ Task<> TileMover::hold_for_write(Tile tile) {
   }
   co_await pilot_.brake();
   while (write_pending_) {
+    if (navigator_.tag_in_field() && navigator_.tag_in_field() != map_.tag_on(tile)) {
+      break;  // over another tag: carried off
+    }
     if (!navigator_.anything_in_field()) {
       // Rolled off the tag before it was written: back over its middle.
       const Vec2 to_tag = navigator_.centre_m(tile) - navigator_.pose().p_m;
@@ -303,6 +306,12 @@ Task<MoveEnd> TileMover::roll(Tile from, Tile target, Direction d) {
       ++log_.counts.bumps;
       const int side = pilot_.bump_side();
       navigator_.remember_bump(side, io_.sensed);
+      if (s > config_.tile_m && !navigator_.anything_in_field()) {
+        // A wall behind the tag's place, and the tag was not read on the way to it.
+        co_await pilot_.brake();
+        navigator_.miss(target, line.yaw_rad);
+        co_return MoveEnd::kNoTag;
+      }
       futile = s > furthest_m + kProgress_m ? 0 : futile + 1;
       furthest_m = std::max(furthest_m, s);
       aim = std::clamp(aim - side * kNudge_m, -aim_most, aim_most);

@@ -13,7 +13,7 @@
 namespace sensotwin::twin {
 namespace {
 
-class RealHomes : public testing::TestWithParam<std::tuple<const char*, const char*>> {};
+class RealHomes : public testing::TestWithParam<std::tuple<std::string, std::string>> {};
 
 TEST_P(RealHomes, AreMappedToTheLastTileThatTheExplorerCanReachAndNeverWrong) {
   const auto& [name, explorer] = GetParam();
@@ -40,7 +40,7 @@ INSTANTIATE_TEST_SUITE_P(TwentySeeds, RealHomes,
                                                           "home_small_house_aws", "home_turtlebot3_house"),
                                           testing::Values("dfm", "idfm", "sweep")),
                          [](const auto& of) {
-                           return std::string(std::get<0>(of.param)) + "_" + std::get<1>(of.param);
+                           return std::get<0>(of.param) + "_" + std::get<1>(of.param);
                          });
 
 }  // namespace

@@ -13,6 +13,7 @@
 #include "robot/base/time.hpp"
 #include "world/battery.hpp"
 #include "world/body_sensors.hpp"
+#include "world/box2d_clock.hpp"
 #include "world/compass_field.hpp"
 #include "world/obstacles.hpp"
 #include "world/traction.hpp"
@@ -148,6 +149,8 @@ World::State::State(const WorldDescription& world, const RobotDescription& robot
       tags(world, random.fork("tags")),
       compass(world, robot.compass, random.fork("compass")) {
   assert(steps_per_tick > 0);
+  [[maybe_unused]] const bool stands = box2d_clock_stands();
+  assert(stands);
   box.SetContinuousPhysics(
       false);  // a step moves the robot at most 2.5 mm: nothing is thin enough to jump over
   b2BodyDef def;

@@ -28,10 +28,16 @@ class CostField {
     width_ = high_.x - low_.x + 1;
     cost_.assign(static_cast<std::size_t>(width_) * static_cast<std::size_t>(high_.y - low_.y + 1), 1.0F);
     const int reach = static_cast<int>(std::ceil(request.comfort_m / FloorGrid::kCell_m));
+    const std::vector<Stamp> stamp = stamp_of(request, reach);
     for (int y = low_.y - reach; y <= high_.y + reach; ++y) {
       for (int x = low_.x - reach; x <= high_.x + reach; ++x) {
         if (grid.occupied({x, y})) {
-          stamp({x, y}, reach, request);
+          for (const Stamp& s : stamp) {
+            const Cell c{x + s.dx, y + s.dy};
+            if (inside(c)) {
+              cost_[index(c)] = std::max(cost_[index(c)], s.cost);
+            }
+          }
         }
         if (inside({x, y}) && grid.centre_forbidden({x, y})) {
           cost_[index({x, y})] = kFar;
@@ -55,21 +61,25 @@ class CostField {
   [[nodiscard]] std::size_t size() const { return cost_.size(); }
 
  private:
-  void stamp(Cell obstacle, int reach, const PlanRequest& request) {
+  /// Cells round an obstacle, with what being there costs the robot's centre.
+  struct Stamp {
+    int dx;
+    int dy;
+    float cost;
+  };
+  [[nodiscard]] static std::vector<Stamp> stamp_of(const PlanRequest& request, int reach) {
+    std::vector<Stamp> stamp;
     for (int dy = -reach; dy <= reach; ++dy) {
       for (int dx = -reach; dx <= reach; ++dx) {
-        const Cell c{obstacle.x + dx, obstacle.y + dy};
-        if (!inside(c)) {
-          continue;
-        }
         const double distance_m = std::hypot(dx, dy) * FloorGrid::kCell_m;
         if (distance_m < request.clearance_m) {
-          cost_[index(c)] = kFar;
+          stamp.push_back({dx, dy, kFar});
         } else if (distance_m < request.comfort_m) {
-          cost_[index(c)] = std::max(cost_[index(c)], static_cast<float>(1.0 + kRimCost));
+          stamp.push_back({dx, dy, static_cast<float>(1.0 + kRimCost)});
         }
       }
     }
+    return stamp;
   }
 
   /// Where the robot stands is free, whatever the grid says: it may leave through the rim it stands in.

@@ -47,6 +47,7 @@ class MappingMission {
   /// Tries tiles once more that were given up or blocked against the look of things. \returns true when one was reached
   Task<bool> try_doubtful();
   [[nodiscard]] std::optional<Tile> next_doubtful();
+  [[nodiscard]] bool looks_solid(Tile tile) const;
   void give_up(Tile tile);
   Task<> dwell(Instant begun, bool new_tag);
 

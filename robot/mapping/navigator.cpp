@@ -18,6 +18,10 @@ constexpr double kSweepMargin_m = 0.03;
 /// Placed by hand over a tag: within the zone, square to the tiles within a few degrees.
 constexpr double kPlacedSigma_m = 0.03;
 constexpr double kPlacedYawSigma_rad = 0.05;
+/// Found farther off than the widest search leads, the robot was carried there: its heading is not to blame, and is
+/// kept. Chosen: a tile and a half; who carries it may turn it by some degrees.
+constexpr double kCarried_m = 0.76;
+constexpr double kCarriedYawSigma_rad = 0.10;
 
 }  // namespace
 
@@ -89,7 +93,7 @@ void Navigator::sense_tag(const Sensed& sensed) {
   const bool rolling = std::abs(speed_mps_) > kRimSpeed_mps;
   const double late_m = speed_mps_ * config_.rim_delay_s;
   if (sensed.tag_left && in_field_) {
-    if (const auto tile = uid_ ? map_.tile_of(*uid_) : std::nullopt; tile && entered_ && rolling) {
+    if (const auto tile = uid_ ? map_.tile_of(*uid_) : std::nullopt; tile && entered_ && rolling && near(*tile)) {
       filter_.leave_zone(zone_of(*tile), late_m);
     }
     in_field_ = entered_ = entry_usable_ = false;
@@ -109,9 +113,13 @@ void Navigator::sense_tag(const Sensed& sensed) {
   }
 }
 
+bool Navigator::near(Tile tile) const {
+  return (pose().p_m - centre_m(tile)).norm() < config_.tile_m / 2.0;
+}
+
 void Navigator::use_tag_in_field() {
   const auto tile = uid_ ? map_.tile_of(*uid_) : std::nullopt;
-  if (tile && entry_usable_) {
+  if (tile && entry_usable_ && near(*tile)) {
     entry_usable_ = false;
     filter_.identify_zone(zone_of(*tile));
   }
@@ -122,7 +130,11 @@ void Navigator::miss(Tile tile, double yaw_M_rad) {
 }
 
 void Navigator::relocate(Tile tile) {
-  filter_.find_at(zone_of(tile));
+  if ((pose().p_m - centre_m(tile)).norm() > kCarried_m) {
+    filter_.reset({centre_m(tile), pose().yaw_rad}, kPlacedSigma_m, kCarriedYawSigma_rad);
+  } else {
+    filter_.find_at(zone_of(tile));
+  }
   entered_ = entry_usable_ = false;
 }
 

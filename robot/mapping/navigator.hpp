@@ -52,6 +52,9 @@ class Navigator {
   /// Half a tile is 2.3 standard deviations then.
   static constexpr double kTellTiles = 0.22;
   [[nodiscard]] ReadZone zone_of(Tile tile) const;
+  /// The robot believes itself on this tile: what its tag's rim says of the pose can be taken at its word. A tag read
+  /// farther off says that the robot is elsewhere, which is for relocate() to set right.
+  [[nodiscard]] bool near(Tile tile) const;
   void sense_motion(const Sensed& sensed);
   void sense_obstacles(const Sensed& sensed);
   void sense_tag(const Sensed& sensed);

@@ -25,6 +25,8 @@ constexpr double kAimMargin_m = 0.02;
 /// A tag further than this from where the robot thinks it is cannot be the one it was driving to.
 constexpr double kBelieve_m = 0.25;
 constexpr int kWriteAttempts = 4;
+/// Places tried to find a tag again that the robot has just been on: its middle and six round it.
+constexpr int kRegainPoints = 7;
 /// Rings of a search, 11 cm apart: as far as a tag may be from where it was expected; and, when nothing was found, as
 /// far as the next tile's.
 constexpr int kSearchRings = 3;
@@ -191,27 +193,35 @@ Task<> TileMover::settle() {
   co_await hold_for_write(at_);
 }
 
+Task<bool> TileMover::regain(Tile tile) {
+  // Rolled off the tag before it was written: back over its middle, then over a ring round it.
+  const Vec2 centre = navigator_.centre_m(tile);
+  const double yaw = navigator_.pose().yaw_rad;
+  if ((centre - navigator_.pose().p_m).dot(navigator_.pose().direction()) < 0.0) {
+    const Line line{centre, yaw};
+    co_await pilot_.back_along(line, 0.0, 0.0);
+  }
+  for (int i = 0; i < kRegainPoints && !navigator_.anything_in_field(); ++i) {
+    const double angle = yaw + kPi / 2.0 + 2.0 * kPi * i / (kRegainPoints - 1);
+    const double radius_m = i == 0 ? 0.0 : 0.75 * config_.read_radius_m;
+    const Vec2 place = centre + radius_m * Vec2{std::cos(angle), std::sin(angle)};
+    co_await creep_to(place, std::nullopt);
+  }
+  co_return navigator_.anything_in_field();
+}
+
 Task<> TileMover::hold_for_write(Tile tile) {
   if (!write_pending_) {
     co_return;
   }
   co_await pilot_.brake();
   while (write_pending_) {
+    if (navigator_.tag_in_field() && navigator_.tag_in_field() != map_.tag_on(tile)) {
+      break;  // over another tag: carried off
+    }
     if (!navigator_.anything_in_field()) {
-      // Rolled off the tag before it was written: back over its middle.
-      const Vec2 to_tag = navigator_.centre_m(tile) - navigator_.pose().p_m;
-      const double yaw = navigator_.pose().yaw_rad;
-      const bool behind = to_tag.dot(navigator_.pose().direction()) < 0.0;
-      const Line line{navigator_.centre_m(tile), yaw};
-      if (behind) {
-        co_await pilot_.back_along(line, 0.0, 0.0);
-      } else {
-        const bool there = co_await creep_to(navigator_.centre_m(tile), std::nullopt);
-        if (!there) {
-          break;
-        }
-      }
-      if (!navigator_.anything_in_field()) {
+      const bool again = co_await regain(tile);
+      if (!again) {
         break;
       }
     }
@@ -303,6 +313,12 @@ Task<MoveEnd> TileMover::roll(Tile from, Tile target, Direction d) {
       ++log_.counts.bumps;
       const int side = pilot_.bump_side();
       navigator_.remember_bump(side, io_.sensed);
+      if (s > config_.tile_m && !navigator_.anything_in_field()) {
+        // A wall behind the tag's place, and the tag was not read on the way to it.
+        co_await pilot_.brake();
+        navigator_.miss(target, line.yaw_rad);
+        co_return MoveEnd::kNoTag;
+      }
       futile = s > furthest_m + kProgress_m ? 0 : futile + 1;
       furthest_m = std::max(furthest_m, s);
       aim = std::clamp(aim - side * kNudge_m, -aim_most, aim_most);

@@ -23,6 +23,9 @@ void MappingProgram::step(Instant now) {
   compass_.step(now);
   gather_tags();
   gather_objects();
+  if (base_.fresh() != nullptr) {
+    state_ = *base_.fresh();
+  }
   keep_ready();
   if (const RoombaState* state = base_.fresh()) {
     sense(*state);
@@ -86,7 +89,6 @@ void MappingProgram::keep_ready() {
 }
 
 void MappingProgram::sense(const RoombaState& state) {
-  state_ = state;
   sensed_.stamp = state.stamp;
   if (state.encoders) {
     if (last_counts_) {

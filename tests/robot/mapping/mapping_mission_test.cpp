@@ -3,6 +3,10 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+#include <cstdlib>
+#include <optional>
+
 #include "drive.hpp"
 
 namespace sensotwin::robot {
@@ -105,6 +109,16 @@ TEST(AMappingMission, SearchesForATagThatWasLaidTooFarAside) {
   }
 }
 
+// The antenna passes the tag's place before the bumper touches the wall behind it; that nothing was read
+// there is known then.
+TEST(AMappingMission, SearchesForATagThatWasLaidTooFarAsideBeforeAWall) {
+  Drive drive{{"S.."}, {}, ExplorerKind::kIdfm};
+  drive.carpet.lay_tag({2, 0}, {0.0, -0.08});
+  ASSERT_TRUE(drive.run());
+  expect_whole_map(drive);
+  EXPECT_EQ(drive.mission.counts().misses_recovered, 1);
+}
+
 TEST(AMappingMission, FeelsWhatItsLightBumperDoesNotSee) {
   Drive drive{{"....", ".gg.", "S..."}, {}, ExplorerKind::kIdfm};
   ASSERT_TRUE(drive.run());
@@ -114,11 +128,11 @@ TEST(AMappingMission, FeelsWhatItsLightBumperDoesNotSee) {
 }
 
 TEST(AMappingMission, DoesNotTouchWhatItsLightBumperSees) {
-  Drive drive{{".....", ".##..", "S...."}};
+  Drive drive{{"....", ".##.", ".##.", "S..."}, {}, ExplorerKind::kIdfm};
   ASSERT_TRUE(drive.run());
   expect_whole_map(drive);
   EXPECT_GE(drive.times(MissionEventKind::kPassageSeen), 1);
-  EXPECT_LE(drive.mission.counts().bumps, 2) << "the side behind it at the start may be felt";
+  EXPECT_EQ(drive.mission.counts().bumps, 0);
 }
 
 // Tags are passed 3.5 cm to the left of their middle: a jamb whose edge is 18 cm to the left of the middle
@@ -135,7 +149,7 @@ TEST(AMappingMission, NudgesPastANarrowDoorJamb) {
 // A gap of 30 cm between two posts, and a body of 34.
 TEST(AMappingMission, TurnsBackFromADoorThatIsTooNarrow) {
   for (const bool seen : {false, true}) {
-    Drive drive{{"S...#", "#####"}};
+    Drive drive{{"S..#", "####"}};
     for (const double side : {-1.0, 1.0}) {
       drive.carpet.put_post({2.0, 1.5 + side * (0.15 + 0.02) / KinematicCarpet::kTile_m}, 0.02, seen);
     }
@@ -178,20 +192,37 @@ TEST(AMappingMission, GoesOnWithoutATagThatCannotBeWritten) {
   EXPECT_EQ(drive.carpet.written().size(), 7u);
 }
 
-TEST(AMappingMission, DISABLED_FindsItselfAgainWhenPutOnAnotherKnownTile) {
-  for (const Tile carried_to : {Tile{3, 0}, Tile{2, 1}, Tile{5, 2}}) {
-    // Swept row by row: all but the last row is known when its first tag is found.
-    Drive drive{{"......", "......", "......", "S....."}};
-    ASSERT_TRUE(drive.run_until_found({5, 3}));
-    ASSERT_EQ(drive.mission.map().visited_count(), 19u);
-    drive.steps(60);  // written, and on its way
-    drive.carpet.carry_to(carried_to);
+/// A known tile at least two tiles away, from which the robot can roll on the way it faces to another known
+/// one.
+std::optional<Tile> somewhere_else(const Drive& drive) {
+  const Tile at = drive.mission.at();
+  const auto ahead =
+      turned(Direction::kEast, static_cast<int>(std::lround(drive.carpet.X_WR().yaw_rad / (kPi / 2))));
+  for (const auto& [tile, tag] : drive.mission.map().tiles()) {
+    const int way = std::abs(tile.column - at.column) + std::abs(tile.row - at.row);
+    if (way >= 2 && drive.mission.map().visited(neighbour(tile, ahead))) {
+      return tile;
+    }
+  }
+  return std::nullopt;
+}
+
+TEST(AMappingMission, FindsItselfAgainWhenPutOnAnotherKnownTile) {
+  for (const std::size_t known : {10u, 15u, 20u}) {
+    Drive drive{{"......", "......", "......", "S....."}, {}, ExplorerKind::kDfm};
+    while (drive.mission.map().visited_count() < known ||
+           drive.mission.counts().writes_verified < int(known) || !somewhere_else(drive) ||
+           drive.command.wheels.left_mps < 0.25) {
+      drive.steps(1);
+    }
+    const Tile there = *somewhere_else(drive);
+    drive.carpet.carry_to({there.column + drive.carpet.start().column, there.row + drive.carpet.start().row});
     ASSERT_TRUE(drive.run());
     expect_whole_map(drive);
   }
 }
 
-TEST(AMappingMission, DISABLED_GivesUpWritingWhenPutOnAnotherTagBeforeItWasDone) {
+TEST(AMappingMission, GivesUpWritingWhenPutOnAnotherTagBeforeItWasDone) {
   Drive drive{{"......", "......", "......", "S....."}, {}, ExplorerKind::kIdfm};
   ASSERT_TRUE(drive.run_until_found({5, 3}));
   drive.carpet.carry_to({1, 0});

@@ -88,7 +88,7 @@ class MappingProgramOnWires : public ::testing::Test {
     return config;
   }
 
-  KinematicCarpet carpet_{{"...", "S.."}, {}, 1};
+  KinematicCarpet carpet_{{"....", "....", "S..."}, {}, 1};
   FakeBase base_;
   FakeReader floor_;
   FakeReader forward_;
@@ -154,7 +154,7 @@ TEST_F(MappingProgramOnWires, GoesOnWhenTheReaderWasUnpluggedForAWhile) {
 TEST_F(MappingProgramOnWires, FailsButEndsWhenTheReaderNeverComesBack) {
   ASSERT_TRUE(run_until_known(2));
   floor_.plugged = false;
-  ASSERT_TRUE(run());
+  ASSERT_TRUE(run(7200.0)) << "it searches far around before it gives up";
   EXPECT_FALSE(program_.mission().succeeded());
   steps(2);
   EXPECT_EQ(base_.wheels(), WheelSpeeds{});

@@ -16,6 +16,7 @@
 #include "world/box2d_clock.hpp"
 #include "world/compass_field.hpp"
 #include "world/obstacles.hpp"
+#include "world/solid_bodies.hpp"
 #include "world/traction.hpp"
 
 namespace sensotwin::world {
@@ -25,9 +26,6 @@ namespace {
 /// cost only where something touches.
 constexpr int kVelocityIterations = 8;
 constexpr int kPositionIterations = 3;
-/// Chosen: the bumper's smooth plastic on painted wall and wood.
-constexpr float kShellFriction = 0.3F;
-constexpr double kGravity_mps2 = 9.81;
 constexpr double kTick_s = robot::to_s(robot::kTick);
 
 // Currents, chosen in the range that Create 2 owners report (about 0.2 A standing, 0.5 A driving, wheel
@@ -44,31 +42,12 @@ constexpr double kMoving_mps = 0.01;
 /// Above this the stasis castor counts as turning (packet 58 is 0 then). Chosen.
 constexpr double kTurning_rps = 0.3;
 
-b2FixtureDef solid(const b2Shape& shape) {
-  b2FixtureDef def;
-  def.shape = &shape;
-  def.friction = kShellFriction;
-  def.restitution = 0.0F;
-  return def;
-}
-
 }  // namespace
 
 struct World::State {
-  /// A piece that can be pushed: its body and where its outline is now.
-  struct Pushable {
-    std::uint32_t index;
-    b2Body* body;
-    Outline outline_F;
-    double reach_m;  ///< of its outline from its own origin
-  };
-
   State(const WorldDescription& world, const RobotDescription& robot_description,
         const PhysicsDescription& physics, const robot::RandomStream& random);
 
-  void add_fixed();
-  void add_pushable(std::uint32_t index, const Furniture& piece);
-  void add_robot(const RobotDescription& robot_description);
   void step(const std::array<double, 2>& target_mps);
   void feel_contacts();
   void draw_current(const RoombaOutputs& outputs);
@@ -80,9 +59,6 @@ struct World::State {
             X_WR.p_m.y() + ahead.y() * p_R_m.x() + ahead.x() * p_R_m.y()};
   }
 
-  [[nodiscard]] b2Vec2 to_box(const Vec2& p_W_m) const {
-    return {static_cast<float>(p_W_m.x() - origin_m.x()), static_cast<float>(p_W_m.y() - origin_m.y())};
-  }
   [[nodiscard]] Pose2 pose(const b2Body& of) const {
     return {origin_m + Vec2{of.GetPosition().x, of.GetPosition().y},
             robot::wrap_angle(static_cast<double>(of.GetAngle()))};
@@ -119,18 +95,6 @@ BodyMass robot_mass(const RoombaDescription& base) {
   return {.mass_kg = base.mass_kg, .inertia_kgm2 = 0.5 * base.mass_kg * base.radius_m * base.radius_m};
 }
 
-Vec2 middle_m(const std::vector<Wall>& walls, const Vec2& otherwise_m) {
-  Vec2 low_m = otherwise_m;
-  Vec2 high_m = otherwise_m;
-  for (const Wall& wall : walls) {
-    for (const Vec2& p_m : wall.points_m) {
-      low_m = low_m.cwiseMin(p_m);
-      high_m = high_m.cwiseMax(p_m);
-    }
-  }
-  return 0.5 * (low_m + high_m);
-}
-
 }  // namespace
 
 World::State::State(const WorldDescription& world, const RobotDescription& robot_description,
@@ -151,109 +115,16 @@ World::State::State(const WorldDescription& world, const RobotDescription& robot
   assert(steps_per_tick > 0);
   [[maybe_unused]] const bool stands = box2d_clock_stands();
   assert(stands);
-  box.SetContinuousPhysics(
-      false);  // a step moves the robot at most 2.5 mm: nothing is thin enough to jump over
-  b2BodyDef def;
-  ground = box.CreateBody(&def);
-  add_fixed();
+  // A step moves the robot at most 2.5 mm: nothing is thin enough to jump over.
+  box.SetContinuousPhysics(false);
+  ground = make_ground(box, fixed.outline(), origin_m);
   for (std::uint32_t i = 0; i < world.furniture.size(); ++i) {
     X_WF.push_back(world.furniture[i].X_WF);
     if (world.furniture[i].pushable) {
-      add_pushable(i, world.furniture[i]);
+      pushables.push_back(make_pushable(*ground, i, world.furniture[i], robot.base.height_m, origin_m));
     }
   }
-  add_robot(robot_description);
-}
-
-void World::State::add_fixed() {
-  for (const Segment& s : fixed.outline().segments) {
-    if ((s.a_m - s.b_m).squaredNorm() == 0.0) {
-      continue;
-    }
-    b2EdgeShape edge;
-    edge.SetTwoSided(to_box(s.a_m), to_box(s.b_m));
-    edge.m_radius =
-        0.0F;  // Box2D's 1 cm skin serves continuous collision, which is off; walls are where they are
-    const b2FixtureDef def = solid(edge);
-    ground->CreateFixture(&def);
-  }
-  for (const Disc& d : fixed.outline().discs) {
-    b2CircleShape circle;
-    circle.m_p = to_box(d.middle_m);
-    circle.m_radius = static_cast<float>(d.radius_m);
-    const b2FixtureDef def = solid(circle);
-    ground->CreateFixture(&def);
-  }
-}
-
-void World::State::add_pushable(std::uint32_t index, const Furniture& piece) {
-  b2BodyDef def;
-  def.type = b2_dynamicBody;
-  def.position = to_box(piece.X_WF.p_m);
-  def.angle = static_cast<float>(piece.X_WF.yaw_rad);
-  b2Body* made = box.CreateBody(&def);
-  // A piece the robot passes beneath still has mass, but nothing that the robot's height could meet.
-  const Outline outline = stands_in_the_way(piece, robot.base.height_m) ? outline_F(piece) : Outline{};
-  double reach_m = 0.0;
-  for (const Disc& d : outline.discs) {
-    b2CircleShape circle;
-    circle.m_p.Set(static_cast<float>(d.middle_m.x()), static_cast<float>(d.middle_m.y()));
-    circle.m_radius = static_cast<float>(d.radius_m);
-    b2FixtureDef fixture = solid(circle);
-    fixture.density = 1.0F;
-    made->CreateFixture(&fixture);
-    reach_m = std::max(reach_m, d.middle_m.norm() + d.radius_m);
-  }
-  // Box2D's polygons have at most eight corners: a fan of pieces around the first one.
-  const auto& edges = outline.segments;
-  for (std::size_t first = 1; first + 1 < edges.size(); first += b2_maxPolygonVertices - 2) {
-    std::vector<b2Vec2> corners{{static_cast<float>(edges[0].a_m.x()), static_cast<float>(edges[0].a_m.y())}};
-    const std::size_t end = std::min(edges.size(), first + b2_maxPolygonVertices - 1);
-    for (std::size_t i = first; i < end; ++i) {
-      corners.emplace_back(static_cast<float>(edges[i].a_m.x()), static_cast<float>(edges[i].a_m.y()));
-      reach_m = std::max(reach_m, edges[i].a_m.norm());
-    }
-    reach_m = std::max(reach_m, edges[0].a_m.norm());
-    b2PolygonShape polygon;
-    polygon.Set(corners.data(), static_cast<int32>(corners.size()));
-    polygon.m_radius = 0.0F;
-    b2FixtureDef fixture = solid(polygon);
-    fixture.density = 1.0F;
-    made->CreateFixture(&fixture);
-  }
-  b2MassData mass;
-  made->GetMassData(&mass);
-  if (mass.mass > 0.0F) {
-    const float scale = static_cast<float>(piece.mass_kg) / mass.mass;
-    mass.I *= scale;
-    mass.mass *= scale;
-    made->SetMassData(&mass);
-  }
-  // Dry friction with the floor as a joint, so that Box2D solves it together with the push: a piece stands
-  // until the push exceeds it. Its moment acts on 2/3 of the reach, as for an evenly pressed disc.
-  const double force_N = piece.friction * piece.mass_kg * kGravity_mps2;
-  b2FrictionJointDef joint;
-  joint.Initialize(ground, made, made->GetWorldCenter());
-  joint.maxForce = static_cast<float>(force_N);
-  joint.maxTorque = static_cast<float>(force_N * reach_m * 2.0 / 3.0);
-  joint.collideConnected = true;
-  box.CreateJoint(&joint);
-  pushables.push_back({index, made, outline, reach_m});
-}
-
-void World::State::add_robot(const RobotDescription& robot_description) {
-  const RoombaDescription& base = robot_description.base;
-  b2BodyDef def;
-  def.type = b2_dynamicBody;
-  def.allowSleep = false;
-  def.position = to_box(robot_description.X_WR_start.p_m);
-  def.angle = static_cast<float>(robot_description.X_WR_start.yaw_rad);
-  body = box.CreateBody(&def);
-  b2CircleShape shell;
-  shell.m_radius = static_cast<float>(base.radius_m);
-  b2FixtureDef fixture = solid(shell);
-  fixture.density = static_cast<float>(base.mass_kg / (robot::kPi * base.radius_m * base.radius_m));
-  body->CreateFixture(&fixture);
+  body = make_shell(box, robot, origin_m);
 }
 
 void World::State::step(const std::array<double, 2>& target_mps) {
@@ -428,7 +299,7 @@ double World::energy_j() const {
            0.5 * inertia * turn * turn;
   };
   double sum_j = kinetic_j(*state_->body);
-  for (const State::Pushable& piece : state_->pushables) {
+  for (const Pushable& piece : state_->pushables) {
     sum_j += kinetic_j(*piece.body);
   }
   return sum_j;
@@ -454,7 +325,7 @@ std::uint64_t World::state_hash() const {
   };
   const State& s = *state_;
   take_body(*s.body);
-  for (const State::Pushable& piece : s.pushables) {
+  for (const Pushable& piece : s.pushables) {
     take_body(*piece.body);
   }
   for (const double value : {s.traction.wheel_angle_rad()[0], s.traction.wheel_angle_rad()[1],

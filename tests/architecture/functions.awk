@@ -16,14 +16,15 @@ function consider(depth, begins) {
     return
   }
   if (begins && !start[depth]) start[depth] = FNR
-  if (start[depth] && code ~ /\{ *$/) body[depth] = 1
+  # A brace that touches a name opens a value, not a body.
+  if (start[depth] && code ~ /[^A-Za-z0-9_>]\{ *$/) body[depth] = 1
   if (!body[depth] && code ~ /[;}] *$/) start[depth] = 0
 }
 
 FNR == 1 { start[0] = start[2] = body[0] = body[2] = 0 }
 { code = $0; sub(/ *\/\/.*/, "", code) }
 code ~ /^ *(#|$)/ { next }
-code ~ /^}/ { measure(0); next }
+code ~ /^}/ { measure(0); start[2] = body[2] = 0; next }
 code ~ /^  }/ && !body[0] { measure(2); next }
 code ~ /^[^ ]/ { start[2] = 0; consider(0, 1); next }
 start[0] { consider(0, 0); next }

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <array>
+#include <span>
 
 namespace sensotwin::twin {
 namespace {
@@ -18,19 +19,23 @@ constexpr Count kPolygon{3, 8};
 
 constexpr std::array<std::string_view, 2> kRoombaWords{"create2", "roomba400"};
 constexpr std::array<std::string_view, 4> kFirmwareWords{"current", "before_3.4.1", "before_3.3.0", "wifi"};
-/// As robot/mapping spells them, in the order of the enumeration.
-const auto kExplorerWords = [] {
-  std::array<std::string_view, robot::kExplorerKinds.size()> words;
-  std::transform(robot::kExplorerKinds.begin(), robot::kExplorerKinds.end(), words.begin(),
-                 [](robot::ExplorerKind kind) { return robot::name_of(kind); });
-  return words;
-}();
 constexpr std::array<std::string_view, 9> kLandmarkWords{
     "door_opening_side",     "door_fixed_side", "front_door_opening_side",
     "front_door_fixed_side", "window_left",     "window_right",
     "power_outlet",          "closet_left",     "closet_right"};
 constexpr std::array<std::string_view, 1> kNoneWord{"none"};
 constexpr std::array<std::string_view, 2> kPaceWords{"own", "paper"};
+
+/// As robot/mapping spells them, in the order of the enumeration. Made when first asked for, so that it is there
+/// for whoever reads or writes a scene before main, in whatever order static objects are made.
+std::span<const std::string_view> explorer_words() {
+  static const auto kWords = [] {
+    std::array<std::string_view, robot::kExplorerKinds.size()> words;
+    std::transform(robot::kExplorerKinds.begin(), robot::kExplorerKinds.end(), words.begin(), robot::name_of);
+    return words;
+  }();
+  return kWords;
+}
 
 void pose_fields(FieldVisitor& v, Pose2& pose, bool heading_required = false) {
   v.point({"at_m", "x and y in the world, m", true}, pose.p_m, kWhere);
@@ -253,7 +258,7 @@ void mission_fields(FieldVisitor& v, Mission& mission) {
       {"map", [&] { mission.map.emplace(); },
        [&] {
          v.section({"map", "SensoBot: map the carpet"}, [&] {
-           v.choice({"explorer", "order in which tiles are visited"}, mission.map->explorer, kExplorerWords);
+           v.choice({"explorer", "order in which tiles are visited"}, mission.map->explorer, explorer_words());
            v.section_or_word(
                {"pace", "how fast it works: own, paper (3.4 s a tile, 4.4 s a new tag), or figures"},
                kPaceWords, std::nullopt,

@@ -22,7 +22,8 @@ void PrintTo(const Mistake& mistake, std::ostream* stream) {
   *stream << mistake.replace;
 }
 
-const std::vector<Mistake> kMistakes{
+/// Keys and alternatives: unknown, twice, missing, or of two minds.
+const std::vector<Mistake> kKeyMistakes{
     {"AMisspeltKey", "seed: 7", "sede: 7\nseed: 7",
      "s.yaml:3:1: error: sede: unknown key; expected one of: version, seed, title, world, robot, physics, "
      "mission, expect, time_limit_s (did you mean 'seed'?)"},
@@ -55,7 +56,10 @@ const std::vector<Mistake> kMistakes{
     {"FurnitureOfTwoShapes", "size_m: [1, 0.5]", "size_m: [1, 0.5], radius_m: 0.3",
      "s.yaml:8:36: error: world.furniture[0].size_m: does not go with 'radius_m'; leave one of them out"},
     {"ALegRadiusWithoutLegs", "size_m: [1, 0.5]", "size_m: [1, 0.5], leg_radius_m: 0.03",
-     "s.yaml:8:54: error: world.furniture[0].leg_radius_m: does not go with 'size_m'; leave one of them out"},
+     "s.yaml:8:54: error: world.furniture[0].leg_radius_m: does not go with 'size_m'; leave one of them out"}};
+
+/// Values of the wrong kind or outside their range.
+const std::vector<Mistake> kValueMistakes{
     {"AWordWhereANumberBelongs", "tile_m: 0.5", "tile_m: wide",
      "s.yaml:6:21: error: world.carpet.tile_m: is 'wide'; expected a number from 0.1 to 5"},
     {"ANumberInQuotes", "tile_m: 0.5", "tile_m: \"0.5\"",
@@ -102,10 +106,13 @@ const std::vector<Mistake> kMistakes{
      "robot:", "s.yaml:9:1: error: robot: is empty; expected a section (key: value)"},
     {"AListThatIsASection", "furniture:\n    - { name: table, at_m: [2, 2], size_m: [1, 0.5] }",
      "furniture: { name: table }",
-     "s.yaml:7:14: error: world.furniture: is a section; expected a list of sections"},
+     "s.yaml:7:14: error: world.furniture: is a section; expected a list of sections"}};
+
+/// What to do and what to expect of it.
+const std::vector<Mistake> kMissionMistakes{
     {"AMisspeltExplorer", "explorer: idfm", "explorer: idmf",
-     "s.yaml:12:20: error: mission.map.explorer: is 'idmf'; expected one of: bfm, bfm_literal, dfm, idfm, "
-     "spiral, sweep (did you mean 'idfm'?)"},
+     "s.yaml:12:20: error: mission.map.explorer: is 'idmf'; expected one of: bfm, bfm_out_and_back, "
+     "bfm_all_neighbours, dfm, idfm, spiral, sweep (did you mean 'idfm'?)"},
     {"AnUnknownPace", "explorer: idfm", "explorer: idfm, pace: papers",
      "s.yaml:12:32: error: mission.map.pace: is 'papers'; expected a section, or the word own or paper (did "
      "you mean 'paper'?)"},
@@ -116,7 +123,10 @@ const std::vector<Mistake> kMistakes{
     {"AnExpectationNobodyCanMeet", "{ min: 1 }", "{ min: 9, max: 3 }",
      "s.yaml:14:3: error: expect.tiles_mapped: min 9 is above max 3; no run can keep both"},
     {"AnExpectationWithACapital", "tiles_mapped", "TilesMapped",
-     "s.yaml:14:3: error: expect.TilesMapped: is no name; expected small letters, digits, _ and ."},
+     "s.yaml:14:3: error: expect.TilesMapped: is no name; expected small letters, digits, _ and ."}};
+
+/// Walls, start and furniture that cannot be where they are.
+const std::vector<Mistake> kPlaceMistakes{
     {"ARoomOfTwoCorners", "[[0, 0], [4, 0], [4, 3], [0, 3]]", "[[0, 0], [4, 0]]",
      "s.yaml:5:20: error: world.room.walls_m: has 2 of them; expected a list of 3 to 10000 points [x, y]"},
     {"AWallThatCrossesItself", "[[0, 0], [4, 0], [4, 3], [0, 3]]", "[[0, 0], [4, 3], [4, 0], [0, 3]]",
@@ -156,7 +166,10 @@ const std::vector<Mistake> kMistakes{
     {"TwoPiecesOfOneName", "size_m: [1, 0.5] }",
      "size_m: [1, 0.5] }\n    - { name: table, at_m: [3, 1], radius_m: 0.2 }",
      "s.yaml:9:15: error: world.furniture[1].name: 'table' is the name of world.furniture[0] too; expected a "
-     "name of its own"},
+     "name of its own"}};
+
+/// The carpet, and the rest of the world.
+const std::vector<Mistake> kCarpetMistakes{
     {"ACarpetWithoutTile", "tile_m: 0.5", "tile_m: 0.5, region_m: [[5, 5], [6, 6]]",
      "s.yaml:6:11: error: world.carpet: has no tile; expected at least one tile whose middle lies on the "
      "floor"},
@@ -181,7 +194,10 @@ const std::vector<Mistake> kMistakes{
      "the walls"},
     {"AnOverfullBattery", "robot:", "robot:\n  base: { battery_charge_mah: 3000 }",
      "s.yaml:10:31: error: robot.base.battery_charge_mah: 3000 mAh do not fit a battery of 2696 mAh; "
-     "expected at most battery_capacity_mah"},
+     "expected at most battery_capacity_mah"}};
+
+/// What is no YAML, or more of it than a scene holds; and the map beside it.
+const std::vector<Mistake> kYamlMistakes{
     {"ATabForIndent", "  room:", "\troom:",
      "s.yaml:5:6: error: not YAML: illegal map value; indent with spaces, not tabs, and put a space after "
      "each colon"},
@@ -203,8 +219,7 @@ const std::vector<Mistake> kMistakes{
      "s.yaml:14:1: error: a second document; one file holds one scene"},
     {"AMapThatIsNotThere", "room: { walls_m: [[0, 0], [4, 0], [4, 3], [0, 3]] }",
      "map: { file: nowhere.yaml }",
-     "s.yaml:5:16: error: world.map.file: nowhere.yaml: no such file; expected a map"},
-};
+     "s.yaml:5:16: error: world.map.file: nowhere.yaml: no such file; expected a map"}};
 
 class BrokenScene : public testing::TestWithParam<Mistake> {};
 
@@ -212,8 +227,16 @@ TEST_P(BrokenScene, IsRefusedWithItsPlaceAndWhatWasExpected) {
   EXPECT_EQ(messages(edited(kSoundScene, GetParam().find, GetParam().replace)), GetParam().message);
 }
 
-INSTANTIATE_TEST_SUITE_P(SceneReader, BrokenScene, testing::ValuesIn(kMistakes),
-                         [](const auto& mistake) { return mistake.param.name; });
+std::string name_of_case(const testing::TestParamInfo<Mistake>& mistake) {
+  return mistake.param.name;
+}
+
+INSTANTIATE_TEST_SUITE_P(Keys, BrokenScene, testing::ValuesIn(kKeyMistakes), name_of_case);
+INSTANTIATE_TEST_SUITE_P(Values, BrokenScene, testing::ValuesIn(kValueMistakes), name_of_case);
+INSTANTIATE_TEST_SUITE_P(Missions, BrokenScene, testing::ValuesIn(kMissionMistakes), name_of_case);
+INSTANTIATE_TEST_SUITE_P(Places, BrokenScene, testing::ValuesIn(kPlaceMistakes), name_of_case);
+INSTANTIATE_TEST_SUITE_P(Carpets, BrokenScene, testing::ValuesIn(kCarpetMistakes), name_of_case);
+INSTANTIATE_TEST_SUITE_P(Yaml, BrokenScene, testing::ValuesIn(kYamlMistakes), name_of_case);
 
 TEST(BrokenScenes, AreAllNamedInOnePass) {
   EXPECT_EQ(messages(R"(version: 1
@@ -234,8 +257,8 @@ mission:
             "walls\n"
             "s.yaml:7:23: error: robot.compass.rate_hz: is '.nan'; expected a number from 0.1 to 66 (it must "
             "be finite)\n"
-            "s.yaml:9:20: error: mission.map.explorer: is 'dmf'; expected one of: bfm, bfm_literal, dfm, "
-            "idfm, spiral, sweep (did you mean 'dfm'?)");
+            "s.yaml:9:20: error: mission.map.explorer: is 'dmf'; expected one of: bfm, bfm_out_and_back, "
+            "bfm_all_neighbours, dfm, idfm, spiral, sweep (did you mean 'dfm'?)");
 }
 
 TEST(BrokenScenes, AreNamedUpToTwentyMistakes) {

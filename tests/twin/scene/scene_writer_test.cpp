@@ -36,7 +36,7 @@ world:
 robot:
   start: { at_m: [1, 1], heading_deg: -123.4 }
   base: { kind: roomba400, firmware: before_3.3.0 }
-mission: { map: { explorer: bfm_literal, pace: paper } }
+mission: { map: { explorer: bfm_out_and_back, pace: paper } }
 expect: { tiles_mapped: { min: 1 }, "phase.rmse_m": { min: 0.001, max: 0.1 } }
 time_limit_s: 77.5
 )";

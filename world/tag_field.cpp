@@ -149,7 +149,7 @@ std::optional<TagIndex> TagField::of_tile(int column, int row) const {
 }
 
 std::optional<TagIndex> TagField::carpet_tag(const Vec2& antenna_m, double read_radius_m) const {
-  if (carpet_quiet_.holds(antenna_m)) {
+  if (carpet_quiet_.holds(antenna_m, read_radius_m)) {
     return std::nullopt;
   }
   // A tag answers from outside its own tile when the radius is large: look at every tile whose middle is
@@ -174,12 +174,12 @@ std::optional<TagIndex> TagField::carpet_tag(const Vec2& antenna_m, double read_
       }
     }
   }
-  carpet_quiet_.begin(antenna_m, std::sqrt(nearest_m2) - read_radius_m - kRounding_m);
+  carpet_quiet_ = {antenna_m, std::sqrt(nearest_m2) - kRounding_m};
   return nearest_m2 <= read_radius_m * read_radius_m ? answer : std::nullopt;
 }
 
 std::optional<TagIndex> TagField::standing_tag(const Vec2& antenna_m, double read_radius_m) const {
-  if (standing_quiet_.holds(antenna_m)) {
+  if (standing_quiet_.holds(antenna_m, read_radius_m)) {
     return std::nullopt;
   }
   double nearest_m2 = std::numeric_limits<double>::infinity();
@@ -191,7 +191,7 @@ std::optional<TagIndex> TagField::standing_tag(const Vec2& antenna_m, double rea
       nearest = i;
     }
   }
-  standing_quiet_.begin(antenna_m, std::sqrt(nearest_m2) - read_radius_m - kRounding_m);
+  standing_quiet_ = {antenna_m, std::sqrt(nearest_m2) - kRounding_m};
   return nearest_m2 <= read_radius_m * read_radius_m ? std::optional{static_cast<TagIndex>(nearest)}
                                                      : std::nullopt;
 }

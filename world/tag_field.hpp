@@ -67,16 +67,13 @@ class TagField {
   int row0_{0};
   int columns_{0};
   int rows_{0};
-  /// Where no tag answered, and how far the antenna has to go from there before one can.
+  /// Where the antenna was when the field was last searched, and how far from there no tag is.
   struct Quiet {
     Vec2 at_m{0.0, 0.0};
-    double way_m2{0.0};
-    [[nodiscard]] bool holds(const Vec2& antenna_m) const {
-      return (antenna_m - at_m).squaredNorm() < way_m2;
-    }
-    void begin(const Vec2& antenna_m, double way_m) {
-      at_m = antenna_m;
-      way_m2 = way_m > 0.0 ? way_m * way_m : 0.0;
+    double clear_m{0.0};
+    [[nodiscard]] bool holds(const Vec2& antenna_m, double read_radius_m) const {
+      const double way_m = clear_m - read_radius_m;
+      return way_m > 0.0 && (antenna_m - at_m).squaredNorm() < way_m * way_m;
     }
   };
   mutable Quiet carpet_quiet_;

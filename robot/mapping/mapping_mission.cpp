@@ -83,6 +83,7 @@ Task<bool> MappingMission::perform(Move move) {
   } else if (end == MoveEnd::kLost) {
     const bool found = co_await mover_.recover();
     if (!found) {
+      log_.add(io_.sensed.stamp, MissionEventKind::kLost, mover_.at());
       co_return false;
     }
   }

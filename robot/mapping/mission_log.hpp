@@ -23,6 +23,7 @@ enum class MissionEventKind : std::uint8_t {
   kDetourDone,
   kUnreachable,     ///< no way left to this tile
   kDisplaced,       ///< read a known tag elsewhere than expected
+  kLost,            ///< no known tag was found again: the mission ends here
   kDone,
 };
 

@@ -16,6 +16,10 @@ constexpr double kFollowTurnMax_radps = 1.5;
 constexpr double kTurnDone_rad = 0.009;
 /// Slowest useful turn: the wheels' speed steps are 28.5 mm/s (Open Interface, opcode 137), 0.24 rad/s.
 constexpr double kTurnMin_radps = 0.25;
+/// Pulling free of what holds the shell: so fast, so long at a time, so often.
+constexpr double kBreakFree_mps = 0.25;
+constexpr Duration kBreakFreeFor = std::chrono::milliseconds{600};
+constexpr int kBreakFreeTries = 12;
 /// Facing this far off the way it should take, the robot first turns on the spot.
 constexpr double kTurnFirst_rad = 0.5;
 
@@ -86,6 +90,21 @@ Task<> Pilot::wait_until(Instant when) {
   }
 }
 
+Task<> Pilot::break_free() {
+  // Still pressed after having backed away: the shell is wedged between two things. One wheel at a time pulls and turns at
+  // once, which the two of them together do not.
+  for (int i = 0; i < kBreakFreeTries && bumped(); ++i) {
+    const double speed = (i / 2) % 2 == 0 ? -kBreakFree_mps : kBreakFree_mps;
+    const Instant until = io_.sensed.stamp + kBreakFreeFor;
+    while (io_.sensed.stamp < until && bumped()) {
+      io_.command.wheels = i % 2 == 0 ? WheelSpeeds{speed, 0.0} : WheelSpeeds{0.0, speed};
+      co_await io_.next;
+    }
+  }
+  command(0.0, 0.0);
+  co_await io_.next;
+}
+
 Task<> Pilot::back_along(Line line, double until_m, double left_m) {
   co_await brake();
   for (;;) {
@@ -97,6 +116,9 @@ Task<> Pilot::back_along(Line line, double until_m, double left_m) {
     co_await io_.next;
   }
   co_await brake();
+  if (bumped()) {
+    co_await break_free();
+  }
 }
 
 }  // namespace sensotwin::robot

@@ -44,6 +44,8 @@ class Pilot {
   Task<> brake();
   Task<> turn_to(double yaw_M_rad);
   Task<> wait_until(Instant when);
+  /// Works the wheels one by one until the bumper lets go, a few seconds at most.
+  Task<> break_free();
   /// Backs along `line` until along_m <= `until_m`.
   Task<> back_along(Line line, double until_m, double left_m);
 

@@ -201,11 +201,12 @@ Task<bool> TileMover::regain(Tile tile) {
     const Line line{centre, yaw};
     co_await pilot_.back_along(line, 0.0, 0.0);
   }
+  const TagWanted any;
   for (int i = 0; i < kRegainPoints && !navigator_.anything_in_field(); ++i) {
     const double angle = yaw + kPi / 2.0 + 2.0 * kPi * i / (kRegainPoints - 1);
     const double radius_m = i == 0 ? 0.0 : 0.75 * config_.read_radius_m;
     const Vec2 place = centre + radius_m * Vec2{std::cos(angle), std::sin(angle)};
-    co_await creep_to(place, std::nullopt);
+    co_await creep_to(place, any);
   }
   co_return navigator_.anything_in_field();
 }
@@ -272,14 +273,14 @@ Task<MoveEnd> TileMover::go(Tile target) {
   if (end == MoveEnd::kNoTag) {
     ++log_.counts.moves_missed;
     log_.add(io_.sensed.stamp, MissionEventKind::kTagMissed, target);
-    const std::optional<MoveEnd> found = co_await search(from, target, kSearchRings);
+    const std::optional<MoveEnd> found = co_await search(from, target, kSearchRings, TrustFloor::kYes);
     if (found) {
       ++log_.counts.misses_recovered;
       log_.add(io_.sensed.stamp, MissionEventKind::kTagRecovered, at_);
       co_return *found;
     }
     log_.add(io_.sensed.stamp, MissionEventKind::kTagGivenUp, target);
-    const std::optional<MoveEnd> back = co_await search(std::nullopt, from, kLostRings);
+    const std::optional<MoveEnd> back = co_await search(std::nullopt, from, kLostRings, TrustFloor::kNo);
     if (!back) {
       end = MoveEnd::kLost;
     } else if (*back != MoveEnd::kArrived) {
@@ -342,8 +343,14 @@ Task<MoveEnd> TileMover::roll(Tile from, Tile target, Direction d) {
 }
 
 Task<bool> TileMover::recover() {
-  const auto found = co_await search(std::nullopt, at_, kRecoverRings);
-  co_return found.has_value() && *found != MoveEnd::kLost;
+  // What was felt from a wrong place may wall the robot in: at last only touch counts.
+  for (const TrustFloor trust : {TrustFloor::kYes, TrustFloor::kNo}) {
+    const auto found = co_await search(std::nullopt, at_, kRecoverRings, trust);
+    if (found) {
+      co_return true;
+    }
+  }
+  co_return false;
 }
 
 Task<MoveEnd> TileMover::give_way(Tile from, Line line) {
@@ -353,21 +360,22 @@ Task<MoveEnd> TileMover::give_way(Tile from, Line line) {
   co_return MoveEnd::kBlocked;
 }
 
-bool TileMover::over_tag_other_than(std::optional<Tile> tile) const {
+bool TileMover::over_wanted(const TagWanted& wanted) const {
   const auto tag = navigator_.tag_in_field();
-  return tag && (!tile || map_.tile_of(*tag) != tile);
+  const auto tile = tag ? map_.tile_of(*tag) : std::nullopt;
+  return tag && (tile ? tile != wanted.ignored : wanted.new_ones);
 }
 
-Task<bool> TileMover::creep_to(Vec2 p_M_m, std::optional<Tile> ignored) {
+Task<bool> TileMover::creep_to(Vec2 p_M_m, TagWanted wanted) {
   const Vec2 way = p_M_m - navigator_.pose().p_m;
-  if (way.norm() < 0.01 || over_tag_other_than(ignored)) {
+  if (way.norm() < 0.01 || over_wanted(wanted)) {
     co_return true;
   }
   const Line line{navigator_.pose().p_m, std::atan2(way.y(), way.x())};
   co_await pilot_.turn_to(line.yaw_rad);
   for (;;) {
     const double left_to_go = way.norm() - line.along_m(navigator_.pose().p_m);
-    if (left_to_go < 0.01 || over_tag_other_than(ignored)) {
+    if (left_to_go < 0.01 || over_wanted(wanted)) {
       co_return true;
     }
     if (pilot_.bumped() || pilot_.hazard()) {
@@ -381,11 +389,12 @@ Task<bool> TileMover::creep_to(Vec2 p_M_m, std::optional<Tile> ignored) {
   }
 }
 
-Task<std::optional<MoveEnd>> TileMover::search(std::optional<Tile> from, Tile target, int rings) {
+Task<std::optional<MoveEnd>> TileMover::search(std::optional<Tile> from, Tile target, int rings,
+                                                      TrustFloor trust) {
   // Rings of points round the place, a little less than a zone's width apart, nearest first.
   const Vec2 around_M_m = navigator_.centre_m(target);
   // Where the place is known too badly, a new tag might be anyone's: only known ones help.
-  const bool sure = !navigator_.uncertain();
+  const TagWanted wanted{.ignored = from, .new_ones = !navigator_.uncertain()};
   const double first_yaw = navigator_.pose().yaw_rad + kPi / 2.0;
   for (int ring = 0; ring <= rings; ++ring) {
     const int points = ring == 0 ? 1 : 6 * ring;
@@ -393,14 +402,13 @@ Task<std::optional<MoveEnd>> TileMover::search(std::optional<Tile> from, Tile ta
     for (int i = 0; i < points; ++i) {
       const double angle = first_yaw + 2.0 * kPi * i / points;
       const Vec2 p = around_M_m + radius_m * Vec2{std::cos(angle), std::sin(angle)};
-      if (navigator_.floor().blocks(p, p, kSureClearance_m)) {
+      if (trust == TrustFloor::kYes && navigator_.floor().blocks(p, p, kSureClearance_m)) {
         continue;
       }
-      co_await creep_to(p, from);
-      const auto tag = navigator_.tag_in_field();
-      if (tag && (sure || map_.tile_of(*tag))) {
-        const std::optional<MoveEnd> end = judge_tag(*tag, from, target);
-        if (end) {
+      co_await creep_to(p, wanted);
+      if (over_wanted(wanted)) {
+        const std::optional<MoveEnd> end = judge_tag(*navigator_.tag_in_field(), from, target);
+        if (end && *end != MoveEnd::kLost) {
           co_await pilot_.brake();
           navigator_.relocate(at_);
           co_await hold_for_write(at_);

@@ -61,11 +61,16 @@ class TileMover {
   Task<MoveEnd> give_way(Tile from, Line line);
   /// Looks for the tag of `target` round its place; that of `from` does not count. Any other tag ends the
   /// search too.
-  Task<std::optional<MoveEnd>> search(std::optional<Tile> from, Tile target, int rings);
-  [[nodiscard]] bool over_tag_other_than(std::optional<Tile> tile) const;
-  /// Straight and slowly to a point; stops at any tag but that of `ignored`. \returns false when something was in the
-  /// way
-  Task<bool> creep_to(Vec2 p_M_m, std::optional<Tile> ignored);
+  enum class TrustFloor : std::uint8_t { kYes, kNo };
+  Task<std::optional<MoveEnd>> search(std::optional<Tile> from, Tile target, int rings, TrustFloor trust);
+  /// Which tags end a creep: known ones but that of `ignored`, and new ones where the pose is good enough for them.
+  struct TagWanted {
+    std::optional<Tile> ignored;
+    bool new_ones{true};
+  };
+  [[nodiscard]] bool over_wanted(const TagWanted& wanted) const;
+  /// Straight and slowly to a point; stops at a wanted tag. \returns false when something was in the way
+  Task<bool> creep_to(Vec2 p_M_m, TagWanted wanted);
   /// Back over the tag of at(), or of any known one. \returns false when none was found
   Task<bool> relocalise();
   [[nodiscard]] std::vector<Vec2> way_to(Tile target) const;

@@ -29,6 +29,7 @@ std::string_view name_of(robot::MissionEventKind kind) {
     case robot::MissionEventKind::kDetourDone: return "detour_done";
     case robot::MissionEventKind::kUnreachable: return "tile_unreachable";
     case robot::MissionEventKind::kDisplaced: return "displaced";
+    case robot::MissionEventKind::kLost: return "lost";
     case robot::MissionEventKind::kDone: break;
   }
   return "map_complete";

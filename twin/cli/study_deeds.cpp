@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <fstream>
 #include <nlohmann/json.hpp>
+#include <optional>
 #include <ostream>
 #include <thread>
 
@@ -11,6 +12,7 @@
 #include "render/mapping_pictures.hpp"
 #include "twin/cli/deed_support.hpp"
 #include "twin/cli/deeds.hpp"
+#include "twin/output/signals.hpp"
 #include "twin/study/epsilon_study.hpp"
 
 namespace sensotwin::twin {
@@ -122,20 +124,31 @@ ExitCode epsilon_deed(const EpsilonOptions& options, Context& context) {
   }
   Progress progress(context.talk, context.progress, "epsilon", "rooms");
   const double begun = context.wall_s();
-  const EpsilonStudy result = run_epsilon_study(study, [&](int done, int total) {
+  ProgressState state;
+  const std::optional<EpsilonStudy> result = run_epsilon_study(study, [&](int done, int total) {
     if (context.verbosity != Verbosity::kQuiet) {
-      progress.update({.done = static_cast<double>(done), .total = static_cast<double>(total),
-                       .wall_s = context.wall_s() - begun, .note = {}});
+      state = {.done = static_cast<double>(done),
+               .total = static_cast<double>(total),
+               .wall_s = context.wall_s() - begun,
+               .note = {}};
+      progress.update(state);
     }
+    return !pending_interruption();
   });
+  if (context.verbosity != Verbosity::kQuiet) {
+    progress.finish(state);
+  }
+  if (!result) {
+    return pending_interruption().value_or(ExitCode::kInterrupted);
+  }
   if (options.out) {
-    write_file(*options.out, to_csv(result), options.force);
+    write_file(*options.out, to_csv(*result), options.force);
   }
   if (options.chart) {
-    const auto drawn = drawn_or_throw(render::draw(surface_of(result)));
+    const auto drawn = drawn_or_throw(render::draw(surface_of(*result)));
     write_picture(*options.chart, drawn.image, fmt::format("seed {}", study.seed), options.force);
   }
-  context.out << (context.json ? to_json(result) : to_table(result));
+  context.out << (context.json ? to_json(*result) : to_table(*result));
   return ExitCode::kDone;
 }
 

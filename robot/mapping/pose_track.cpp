@@ -10,6 +10,8 @@ namespace {
 /// The covariance is carried forward after this much travel or turn: small against the centimetres that matter.
 constexpr double kCovarianceStep_m = 0.02;
 constexpr double kCovarianceStep_rad = 0.05;
+/// A heading is doubted up to this: what the compass leaves open, twice.
+constexpr double kDoubtedYaw_rad = 0.17;
 
 double squared(double x) {
   return x * x;
@@ -65,6 +67,9 @@ void PoseTrack::propagate_covariance() {
   F(1, 3) = s * pending_m_;
   F(2, 4) = pending_rad_;
   F(2, 5) = pending_m_;
+  const double same = std::exp(-pending_abs_m_ / compass_.bias_length_m);
+  F(6, 6) = same;
+  bias_rad_ = wrap_angle(first_bias_rad_ + same * wrap_angle(bias_rad_ - first_bias_rad_));
   P_ = F * P_ * F.transpose();
   const double along = squared(model_.along_sigma_m) * pending_abs_m_;
   const double across = squared(model_.across_sigma_m) * pending_abs_m_;
@@ -73,7 +78,8 @@ void PoseTrack::propagate_covariance() {
   P_(0, 1) += (along - across) * c * s;
   P_(1, 0) += (along - across) * c * s;
   P_(2, 2) += squared(model_.heading_sigma_rad) * pending_abs_m_ + squared(model_.turn_sigma_rad) * pending_abs_rad_;
-  P_(6, 6) += squared(compass_.bias_sigma_rad) * pending_abs_m_ + squared(compass_.turn_bias_sigma_rad) * pending_abs_rad_;
+  P_(6, 6) += squared(compass_.bias_sigma_rad) * (1.0 - same * same) +
+              squared(compass_.turn_bias_sigma_rad) * pending_abs_rad_;
   pending_m_ = pending_abs_m_ = pending_rad_ = pending_abs_rad_ = 0.0;
   pending_start_m_ = X_MR_.p_m;
 }
@@ -107,7 +113,7 @@ double PoseTrack::correct_by_compass(double reading_rad) {
   propagate_covariance();
   if (!bias_known_) {
     bias_known_ = true;
-    bias_rad_ = wrap_angle(reading_rad - X_MR_.yaw_rad);
+    bias_rad_ = first_bias_rad_ = wrap_angle(reading_rad - X_MR_.yaw_rad);
     P_(6, 6) = squared(kPi);
   }
   Row H = Row::Zero();
@@ -124,8 +130,10 @@ void PoseTrack::touch() {
 
 void PoseTrack::doubt(double factor) {
   propagate_covariance();
-  P_.topLeftCorner<3, 3>() *= squared(factor);
-  P_(6, 6) *= squared(factor);
+  const double yaw_factor = std::clamp(kDoubtedYaw_rad / std::sqrt(std::max(P_(2, 2), 1e-9)), 1.0, factor);
+  const Eigen::Vector3d wider{factor, factor, yaw_factor};
+  P_.topLeftCorner<3, 3>() = (wider.asDiagonal() * P_.topLeftCorner<3, 3>() * wider.asDiagonal()).eval();
+  P_(6, 6) = squared(compass_.bias_sigma_rad);
   P_.topRightCorner<3, kStates - 3>().setZero();
   P_.bottomLeftCorner<kStates - 3, 3>().setZero();
 }

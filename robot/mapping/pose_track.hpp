@@ -26,13 +26,15 @@ struct OdometryModel {
   double touch_sigma_rad{0.02};
 };
 
-/// What the robot believes of its compass: a slowly changing bias (iron nearby) and noise.
+/// What the robot believes of its compass: noise, and a bias by the iron nearby that changes from place to place about
+/// what it was at the start (a Gauss-Markov process over the way driven).
 struct CompassModel {
-  double noise_sigma_rad{0.026};             ///< 1.5 degrees. Chosen: 1 degree of the element, and vibration
-  /// Random walk of the bias: per square root of a metre driven. "5 degrees of spatial distortion" (algorithms study,
-  /// C.2) over a metre.
-  double bias_sigma_rad{0.09};
-  /// And per square root of a radian turned: what is left of the robot's own iron after calibration. Chosen: 1 degree.
+  double noise_sigma_rad{0.026};   ///< 1.5 degrees. Chosen: 1 degree of the element, and vibration
+  /// "5 degrees of spatial distortion" (algorithms study, C.2), and the way over which it becomes another. Chosen: 1 m,
+  /// the size of a radiator or a steel table frame.
+  double bias_sigma_rad{0.087};
+  double bias_length_m{1.0};
+  /// Per square root of a radian turned: what is left of the robot's own iron after calibration. Chosen: 1 degree.
   double turn_bias_sigma_rad{0.017};
 };
 
@@ -47,8 +49,9 @@ struct CompassModel {
 ///     d = (l + r)/2 (1 + scale),  dyaw = (r - l)/b (1 + turn_scale) + curvature d,
 ///     x += d cos(yaw + dyaw/2),  y += d sin(yaw + dyaw/2).
 ///
-/// The compass measures yaw + bias, and the bias wanders with the way driven: so the compass says little of the heading
-/// from room to room, and much of a turn on the spot or of having been pushed aside, where the iron around is the same.
+/// The compass measures yaw + bias, and the bias changes with the way driven: so the compass keeps the heading within a
+/// few degrees wherever the robot has been carried or pushed, and says much more of a turn on the spot, where the iron
+/// around stays the same.
 ///
 /// The mean moves at every call; the covariance follows in steps of two centimetres, linearised about the way taken.
 class PoseTrack {
@@ -67,7 +70,8 @@ class PoseTrack {
   double correct_by_compass(double reading_rad);
   /// The body touches something in this control step.
   void touch();
-  /// Widens pose and compass bias by this factor on standard deviations, and forgets what ties the pose to the rest.
+  /// Widens the pose by this factor on standard deviations, the heading to no more than the compass leaves open, and
+  /// forgets what ties the pose to the rest.
   void doubt(double factor);
 
   [[nodiscard]] const Pose2& pose() const { return X_MR_; }
@@ -95,6 +99,7 @@ class PoseTrack {
   double turn_scale_{0.0};
   double curvature_rad_per_m_{0.0};
   double bias_rad_{0.0};
+  double first_bias_rad_{0.0};
   bool bias_known_{false};
   Covariance P_{Covariance::Zero()};
   bool wheels_known_{false};

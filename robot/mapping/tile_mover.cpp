@@ -384,6 +384,8 @@ Task<bool> TileMover::creep_to(Vec2 p_M_m, std::optional<Tile> ignored) {
 Task<std::optional<MoveEnd>> TileMover::search(std::optional<Tile> from, Tile target, int rings) {
   // Rings of points round the place, a little less than a zone's width apart, nearest first.
   const Vec2 around_M_m = navigator_.centre_m(target);
+  // Where the place is known too badly, a new tag might be anyone's: only known ones help.
+  const bool sure = !navigator_.uncertain();
   const double first_yaw = navigator_.pose().yaw_rad + kPi / 2.0;
   for (int ring = 0; ring <= rings; ++ring) {
     const int points = ring == 0 ? 1 : 6 * ring;
@@ -395,7 +397,8 @@ Task<std::optional<MoveEnd>> TileMover::search(std::optional<Tile> from, Tile ta
         continue;
       }
       co_await creep_to(p, from);
-      if (const auto tag = navigator_.tag_in_field()) {
+      const auto tag = navigator_.tag_in_field();
+      if (tag && (sure || map_.tile_of(*tag))) {
         const std::optional<MoveEnd> end = judge_tag(*tag, from, target);
         if (end) {
           co_await pilot_.brake();

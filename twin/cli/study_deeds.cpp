@@ -21,7 +21,8 @@ namespace {
 nlohmann::json read_json(const std::filesystem::path& path) {
   std::ifstream in(path);
   if (!in) {
-    throw CommandError(ExitCode::kInputMissing, fmt::format("{}: cannot be read; is this the folder of a run?", path.string()));
+    throw CommandError(ExitCode::kInputMissing,
+                       fmt::format("{}: cannot be read; is this the folder of a run?", path.string()));
   }
   try {
     return nlohmann::json::parse(in);
@@ -34,7 +35,8 @@ nlohmann::json read_json(const std::filesystem::path& path) {
 render::ExplorerRun found_in(const std::filesystem::path& folder, const std::string& explorer) {
   std::ifstream in(folder / "events.jsonl");
   if (!in) {
-    throw CommandError(ExitCode::kInputMissing, fmt::format("{}: cannot be read", (folder / "events.jsonl").string()));
+    throw CommandError(ExitCode::kInputMissing,
+                       fmt::format("{}: cannot be read", (folder / "events.jsonl").string()));
   }
   render::ExplorerRun run{explorer, {{0.0, 0.0}}};
   int line_number = 0;
@@ -56,11 +58,12 @@ render::ExplorerRun found_in(const std::filesystem::path& folder, const std::str
 render::HeatmapChart surface_of(const EpsilonStudy& study) {
   const ExplorerEpsilon& explorer = study.explorers.front();
   render::HeatmapChart chart;
-  chart.frame.title = fmt::format("Superfluous visits of {}, as the paper counts", robot::name_of(explorer.explorer));
-  chart.frame.subtitle = fmt::format("mean of {} rooms of 324 tags a cell · seed {} · fit {:.4f} Bp {:+.4f} Bd {:+.4f}",
-                                     study.options.maps_per_cell, study.options.seed,
-                                     explorer.paper_fit.per_blocked_percent, explorer.paper_fit.per_chunk,
-                                     explorer.paper_fit.constant);
+  chart.frame.title =
+      fmt::format("Superfluous visits of {}, as the paper counts", robot::name_of(explorer.explorer));
+  chart.frame.subtitle =
+      fmt::format("mean of {} rooms of 324 tags a cell · seed {} · fit {:.4f} Bp {:+.4f} Bd {:+.4f}",
+                  study.options.maps_per_cell, study.options.seed, explorer.paper_fit.per_blocked_percent,
+                  explorer.paper_fit.per_chunk, explorer.paper_fit.constant);
   chart.frame.x.label = "Bd, pieces of furniture";
   chart.frame.y.label = "Bp, blocked tags in per cent";
   chart.value_label = "epsilon in per cent";
@@ -110,7 +113,8 @@ ExitCode epsilon_deed(const EpsilonOptions& options, Context& context) {
   EpsilonStudyOptions study;
   study.maps_per_cell = options.maps_per_cell;
   study.seed = options.seed;
-  study.jobs = options.jobs > 0 ? options.jobs : static_cast<int>(std::max(1u, std::thread::hardware_concurrency()));
+  study.jobs =
+      options.jobs > 0 ? options.jobs : static_cast<int>(std::max(1u, std::thread::hardware_concurrency()));
   study.knowledge = options.knowledge == "bump" ? Knowledge::kBump : Knowledge::kAdjacent;
   if (!options.explorers.empty()) {
     study.explorers.clear();
@@ -118,7 +122,8 @@ ExitCode epsilon_deed(const EpsilonOptions& options, Context& context) {
   for (const std::string& name : options.explorers) {
     const auto kind = robot::explorer_kind_from(name);
     if (!kind) {
-      throw CommandError(ExitCode::kWrongCommandLine, fmt::format("no explorer is called '{}'; twin list explorers names them", name));
+      throw CommandError(ExitCode::kWrongCommandLine,
+                         fmt::format("no explorer is called '{}'; twin list explorers names them", name));
     }
     study.explorers.push_back(*kind);
   }

@@ -70,11 +70,12 @@ struct EpsilonStudy {
 };
 
 /// Drives each explorer through `maps_per_cell` rooms of each cell; all explorers get the same rooms.
-/// \param progress  called from the working threads, one call at a time, with the rooms done and their number; the
+/// \param progress  called from the working threads, one call at a time, with the rooms done and their
+/// number; the
 ///   study ends early once it returns false
 /// \returns nothing when it ended before its last room
-[[nodiscard]] std::optional<EpsilonStudy> run_epsilon_study(const EpsilonStudyOptions& options,
-                                                            const std::function<bool(int, int)>& progress = {});
+[[nodiscard]] std::optional<EpsilonStudy> run_epsilon_study(
+    const EpsilonStudyOptions& options, const std::function<bool(int, int)>& progress = {});
 
 /// Least squares for z = a x + b y + c. \pre at least three points that are not on one line
 [[nodiscard]] PlaneFit fit_plane(const std::vector<std::array<double, 3>>& points);

@@ -84,8 +84,8 @@ TEST(Interruption, OfARunThatIsDrawingItsPicturesDoesNotWaitForTheRest) {
 
 TEST(Interruption, OfAStudyEndsAtTheFirstSigintAndLeavesNothingHalfWritten) {
   const TemporaryFolder folder;
-  BackgroundTwin twin({"epsilon", "--explorer", "sweep", "--maps", "10000", "--out", (folder / "cells.csv").string(),
-                       "--chart", (folder / "chart.png").string()});
+  BackgroundTwin twin({"epsilon", "--explorer", "sweep", "--maps", "10000", "--out",
+                       (folder / "cells.csv").string(), "--chart", (folder / "chart.png").string()});
   std::this_thread::sleep_for(std::chrono::milliseconds(300));
   const auto end = twin.stop(SIGINT);
   EXPECT_EQ(end.code, 130);

@@ -78,9 +78,9 @@ TEST(EpsilonStudy, SweepStaysUnderSixPercentWhereTheSpiralNeedsTen) {
     if (c.chunks % 4 == 1) cells.push_back(c);
   }
   const EpsilonStudy study = *run_epsilon_study({.explorers = {ExplorerKind::kSweep, ExplorerKind::kSpiral},
-                                                .maps_per_cell = 4,
-                                                .jobs = 2,
-                                                .cells = cells});
+                                                 .maps_per_cell = 4,
+                                                 .jobs = 2,
+                                                 .cells = cells});
   EXPECT_LT(study.explorers[0].mean_physical_percent(), 6.0);
   EXPECT_LT(study.explorers[0].mean_physical_percent(), 0.7 * study.explorers[1].mean_physical_percent());
 }

@@ -24,9 +24,8 @@ TEST(EpsilonSurface, AgreesWithEquationTwoOver96000Rooms) {
 }
 
 TEST(EpsilonSurface, OfSweepStaysUnderItsGoals) {
-  const EpsilonStudy study = *run_epsilon_study({.explorers = {robot::ExplorerKind::kSweep},
-                                                .maps_per_cell = 30,
-                                                .jobs = all_processors()});
+  const EpsilonStudy study = *run_epsilon_study(
+      {.explorers = {robot::ExplorerKind::kSweep}, .maps_per_cell = 30, .jobs = all_processors()});
   EXPECT_LE(study.explorers.front().mean_physical_percent(), 6.0);
   EXPECT_LE(study.explorers.front().worst_physical_cell().physical.mean_percent, 17.0);
 }

@@ -37,24 +37,32 @@ enum class FurnitureShape : std::uint8_t { kCircle, kBox, kPolygon, kLegs };
 struct Furniture {
   std::string name;
   FurnitureShape shape{FurnitureShape::kBox};
-  Pose2 X_WF;                       ///< furniture frame in the world; legs and polygon corners are in F
-  double radius_m{0.0};             ///< circle
-  Vec2 size_m{0.0, 0.0};            ///< box: along x and y of F
-  std::vector<Vec2> points_m;       ///< polygon: convex corners; legs: their centres
-  double leg_radius_m{0.025};       ///< chosen: a 5 cm table leg
-  double height_m{0.75};            ///< of its top, for the picture. Chosen: a table
-  /// Free height below a box, circle or polygon; the robot (0.092 m high) drives under it when this is larger.
+  Pose2 X_WF;                  ///< furniture frame in the world; legs and polygon corners are in F
+  double radius_m{0.0};        ///< circle
+  Vec2 size_m{0.0, 0.0};       ///< box: along x and y of F
+  std::vector<Vec2> points_m;  ///< polygon: convex corners; legs: their centres
+  double leg_radius_m{0.025};  ///< chosen: a 5 cm table leg
+  double height_m{0.75};       ///< of its top, for the picture. Chosen: a table
+  /// Free height below a box, circle or polygon; the robot (0.092 m high) drives under it when this is
+  /// larger.
   double clearance_m{0.0};
   bool pushable{false};
-  double mass_kg{8.0};              ///< of a pushable piece. Chosen: a kitchen chair is 4 to 8 kg
-  double friction{0.4};             ///< of a pushable piece on the floor. Chosen: felt on carpet
-  std::optional<ObjectTag> tag;     ///< one tag per leg, or one in the middle of each side, read from the front
+  double mass_kg{8.0};           ///< of a pushable piece. Chosen: a kitchen chair is 4 to 8 kg
+  double friction{0.4};          ///< of a pushable piece on the floor. Chosen: felt on carpet
+  std::optional<ObjectTag> tag;  ///< one tag per leg, or one in the middle of each side, read from the front
 };
 
 /// SensoBot, Table 1: what a tag on the wall base says (block 0, bytes 0 and 1).
 enum class LandmarkKind : std::uint8_t {
-  kDoorOpeningSide, kDoorFixedSide, kFrontDoorOpeningSide, kFrontDoorFixedSide,
-  kWindowLeft, kWindowRight, kPowerOutlet, kClosetLeft, kClosetRight,
+  kDoorOpeningSide,
+  kDoorFixedSide,
+  kFrontDoorOpeningSide,
+  kFrontDoorFixedSide,
+  kWindowLeft,
+  kWindowRight,
+  kPowerOutlet,
+  kClosetLeft,
+  kClosetRight,
 };
 struct Landmark {
   LandmarkKind kind{LandmarkKind::kPowerOutlet};
@@ -64,26 +72,29 @@ struct Landmark {
 /// A rectangular grid of carpet tiles with one ISO 15693 tag in the middle of each. Tile (column, row) covers
 /// origin_m + tile_m * [column, column+1] x [row, row+1]. Only the tiles listed exist.
 struct Carpet {
-  double tile_m{0.508};             ///< 20 inches (SensoBot, section III.A)
+  double tile_m{0.508};  ///< 20 inches (SensoBot, section III.A)
   Vec2 origin_m{0.0, 0.0};
-  std::vector<std::pair<int, int>> tiles;        ///< (column, row), in reading order; empty = no carpet
-  std::vector<std::pair<int, int>> unreadable;   ///< tiles whose tag is dead
-  double tag_offset_sigma_m{0.005};  ///< how far tags sit from the middle (1 sigma, per axis). Chosen: hand-laid
+  std::vector<std::pair<int, int>> tiles;       ///< (column, row), in reading order; empty = no carpet
+  std::vector<std::pair<int, int>> unreadable;  ///< tiles whose tag is dead
+  double tag_offset_sigma_m{
+      0.005};  ///< how far tags sit from the middle (1 sigma, per axis). Chosen: hand-laid
 };
 
 /// The floor under the wheels.
 struct Floor {
-  double friction{0.6};             ///< rubber on carpet, dimensionless. Chosen in 0.5 to 0.8
-  double rolling_resistance{0.04};  ///< drag of castor and pile / weight, dimensionless. Chosen: low pile carpet
+  double friction{0.6};  ///< rubber on carpet, dimensionless. Chosen in 0.5 to 0.8
+  double rolling_resistance{
+      0.04};  ///< drag of castor and pile / weight, dimensionless. Chosen: low pile carpet
   /// Creep: slip ratio of a driven wheel per unit of (tractive force / friction limit), dimensionless.
   double creep{0.02};
   /// Unevenness: mean, and equally standard deviation, of the part of each wheel's way that the pile takes
-  /// (exponentially distributed, so never negative), and the distance over which it stays the same. Chosen: with
-  /// these the odometry is the "typ" class of the algorithms study, C.2 (tests/world/odometry_test.cpp measures it).
+  /// (exponentially distributed, so never negative), and the distance over which it stays the same. Chosen:
+  /// with these the odometry is the "typ" class of the algorithms study, C.2 (tests/world/odometry_test.cpp
+  /// measures it).
   double roughness{0.01};
   double roughness_length_m{0.05};
-  /// Arm of the moment with which a tyre's contact patch resists turning on itself. Chosen: 2/3 of the radius of a
-  /// patch 2 cm across, evenly pressed.
+  /// Arm of the moment with which a tyre's contact patch resists turning on itself. Chosen: 2/3 of the radius
+  /// of a patch 2 cm across, evenly pressed.
   double scrub_arm_m{0.007};
   /// Nap: sideways drift per metre driven across the lie of the pile, and the direction the pile lies in.
   double nap_drift{0.01};
@@ -97,11 +108,11 @@ struct Cliff {
 /// iRobot virtual wall: an infrared fan that the robot's receiver sees inside it.
 struct VirtualWall {
   Pose2 X_WV;
-  double range_m{2.5};              ///< chosen: the accessory's middle setting is about 2.5 m
-  double half_angle_rad{0.1};       ///< chosen
+  double range_m{2.5};         ///< chosen: the accessory's middle setting is about 2.5 m
+  double half_angle_rad{0.1};  ///< chosen
 };
 struct HomeBase {
-  Pose2 X_WH;                       ///< contacts at the origin, facing along +x; the robot docks facing -x
+  Pose2 X_WH;  ///< contacts at the origin, facing along +x; the robot docks facing -x
 };
 
 /// A place where iron bends the earth's field: heading error = peak * exp(-(distance/radius)^2).
@@ -121,18 +132,20 @@ struct WorldDescription {
   std::vector<VirtualWall> virtual_walls;
   std::optional<HomeBase> home_base;
   std::vector<CompassDistortion> compass_distortions;
-  double ceiling_m{3.0};            ///< for the picture and, later, the ceiling tags
+  double ceiling_m{3.0};  ///< for the picture and, later, the ceiling tags
   /// Direction of magnetic north as a yaw in W. pi/2: north is +y, as on a plan.
   double north_yaw_rad{1.5707963267948966};
 };
 
 enum class RoombaKind : std::uint8_t { kCreate2, kRoomba400 };
 
-/// What the mainboard's program answers wrongly (protocols study, 1.7): nothing since 3.4.1; the angle packet before
-/// it; distance and requested radius too before 3.3.0; the Open Interface mode one too high on Wi-Fi models.
+/// What the mainboard's program answers wrongly (protocols study, 1.7): nothing since 3.4.1; the angle packet
+/// before it; distance and requested radius too before 3.3.0; the Open Interface mode one too high on Wi-Fi
+/// models.
 enum class RoombaFirmware : std::uint8_t { kCurrent, kBefore341, kBefore330, kWifi };
 
-/// Defaults: Create 2 Open Interface 2016 (wheel base, wheel, counts, speed); iRobot's published size and weight.
+/// Defaults: Create 2 Open Interface 2016 (wheel base, wheel, counts, speed); iRobot's published size and
+/// weight.
 struct RoombaDescription {
   RoombaKind kind{RoombaKind::kCreate2};
   RoombaFirmware firmware{RoombaFirmware::kCurrent};
@@ -143,28 +156,29 @@ struct RoombaDescription {
   double wheel_diameter_m{0.072};
   double counts_per_turn{508.8};
   double speed_max_mps{0.5};
-  double wheel_acceleration_mps2{1.5};   ///< chosen: 0 to 0.3 m/s in 0.2 s, as Create 2 users report
-  double drive_wheel_load{0.9};          ///< part of the weight on the driven wheels, the rest on the castor. Chosen
+  double wheel_acceleration_mps2{1.5};  ///< chosen: 0 to 0.3 m/s in 0.2 s, as Create 2 users report
+  double drive_wheel_load{0.9};  ///< part of the weight on the driven wheels, the rest on the castor. Chosen
   /// Manufacturing: each wheel's diameter and the effective wheel base differ from nominal by these fractions
-  /// (1 sigma, drawn once per run). "1 % after calibration" (algorithms study, C.2) for base and turns; the diameters
-  /// are chosen so that their difference bends the path by 0.35 degrees a metre, no more than the carpet does.
+  /// (1 sigma, drawn once per run). "1 % after calibration" (algorithms study, C.2) for base and turns; the
+  /// diameters are chosen so that their difference bends the path by 0.35 degrees a metre, no more than the
+  /// carpet does.
   double wheel_diameter_sigma{0.001};
   double wheel_base_sigma{0.01};
-  double battery_capacity_mah{2696.0};   ///< group packet example of the Create 2; 3000 mAh nominal NiMH
+  double battery_capacity_mah{2696.0};  ///< group packet example of the Create 2; 3000 mAh nominal NiMH
   double battery_charge_mah{2696.0};
 };
 
 /// A reading spot of an HF antenna: a disc on the floor in which a tag answers.
 struct ReaderDescription {
-  Vec2 at_m{0.0, 0.0};               ///< middle of the disc in R
+  Vec2 at_m{0.0, 0.0};  ///< middle of the disc in R
   double read_radius_m{0.08};
-  double exchange_s{0.012};          ///< one APDU exchange: ISO 15693 at 26 kbit/s plus USB. Chosen in 8 to 30 ms
+  double exchange_s{0.012};  ///< one APDU exchange: ISO 15693 at 26 kbit/s plus USB. Chosen in 8 to 30 ms
   double torn_write_probability{0.25};  ///< that a cut-off write leaves a mixed block. Chosen
 };
 
 struct CompassDescription {
   double rate_hz{10.0};
-  double noise_sigma_rad{0.017};     ///< 1 degree. Chosen: low-cost fluxgate or MEMS on a running robot
+  double noise_sigma_rad{0.017};  ///< 1 degree. Chosen: low-cost fluxgate or MEMS on a running robot
   double resolution_rad{0.0017453292519943296};  ///< 0.1 degree: the one decimal of HCHDM
 };
 
@@ -178,8 +192,8 @@ struct RobotDescription {
 
 /// Settings of the physics itself.
 struct PhysicsDescription {
-  /// Physics steps in one 15 ms tick. Chosen: the largest step whose halving moves the end of a reference drive by
-  /// less than half a millimetre (tests/world/motion_test.cpp).
+  /// Physics steps in one 15 ms tick. Chosen: the largest step whose halving moves the end of a reference
+  /// drive by less than half a millimetre (tests/world/motion_test.cpp).
   int steps_per_tick{3};
 };
 

@@ -7,8 +7,8 @@
 namespace sensotwin::robot {
 namespace {
 
-/// Line law w = -K (psi + atan(e / L)): the prototype's K, and an L of half a tile so that a 3 cm error is gone within
-/// a tile (algorithms study, A.4).
+/// Line law w = -K (psi + atan(e / L)): the prototype's K, and an L of half a tile so that a 3 cm error is
+/// gone within a tile (algorithms study, A.4).
 constexpr double kTurnGain_1ps = 4.0;
 constexpr double kLookahead_m = 0.20;
 constexpr double kFollowTurnMax_radps = 1.5;
@@ -73,7 +73,8 @@ Task<> Pilot::turn_to(double yaw_M_rad) {
     }
     // Half the deceleration the ramp could give: the wheels answer a step late.
     const double fastest = std::sqrt(config_.turn_acceleration_radps2 * std::abs(left_rad));
-    const double wanted = std::copysign(std::clamp(fastest, kTurnMin_radps, config_.pace.turn_radps), left_rad);
+    const double wanted =
+        std::copysign(std::clamp(fastest, kTurnMin_radps, config_.pace.turn_radps), left_rad);
     const double most = config_.turn_acceleration_radps2 * to_s(kTick);
     turn_radps += std::clamp(wanted - turn_radps, -most, most);
     command(0.0, turn_radps);
@@ -91,8 +92,8 @@ Task<> Pilot::wait_until(Instant when) {
 }
 
 Task<> Pilot::break_free() {
-  // Still pressed after having backed away: the shell is wedged between two things. One wheel at a time pulls and turns at
-  // once, which the two of them together do not.
+  // Still pressed after having backed away: the shell is wedged between two things. One wheel at a time pulls
+  // and turns at once, which the two of them together do not.
   for (int i = 0; i < kBreakFreeTries && bumped(); ++i) {
     const double speed = (i / 2) % 2 == 0 ? -kBreakFree_mps : kBreakFree_mps;
     const Instant until = io_.sensed.stamp + kBreakFreeFor;

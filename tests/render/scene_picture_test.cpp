@@ -55,8 +55,8 @@ TEST_F(TopView, ShowsWallsFurnitureAndRobotWhereTheyAre) {
   EXPECT_THAT(at(picture, {7.0, 7.0}), ColorNear(palette::kPaper, 0)) << "outside the house";
 }
 
-/// A room as a map's cells give it: every side a cell long, with free space on its left; and a block within, the other
-/// way round.
+/// A room as a map's cells give it: every side a cell long, with free space on its left; and a block within,
+/// the other way round.
 SceneView traced_room() {
   SceneView view;
   const auto walked = [](std::vector<Vec2> corners) {
@@ -96,7 +96,8 @@ TEST_F(ObliqueView, CutsAllWallsOfAMapSoThatItsRoomsCanBeSeen) {
 
 TEST_F(TopView, MarksTagsLightOnDarkTilesAndDarkOnLightOnes) {
   SceneView view;
-  view.tiles = {{{0.0, 0.0}, 0.5, 0.0, TileState::kBlack, ""}, {{0.5, 0.0}, 0.5, 0.0, TileState::kUnvisited, ""}};
+  view.tiles = {{{0.0, 0.0}, 0.5, 0.0, TileState::kBlack, ""},
+                {{0.5, 0.0}, 0.5, 0.0, TileState::kUnvisited, ""}};
   view.tags = {{{0.0, 0.0}, false}, {{0.5, 0.0}, false}};
   const Picture picture = drawn(view, {});
   EXPECT_THAT(at(picture, {0.0, 0.0}), ColorNear(palette::kHairline, 12));

@@ -63,7 +63,8 @@ struct EpsilonOptions {
   int jobs{0};                                 ///< 0: as many as there are processors
   std::string knowledge{"adjacent"};           ///< adjacent, bump: what the robot knows of blocked neighbours
   std::optional<std::filesystem::path> out{};  ///< CSV of all cells
-  std::optional<std::filesystem::path> chart{};  ///< heat map of the first explorer's cells, as the paper counts
+  std::optional<std::filesystem::path>
+      chart{};  ///< heat map of the first explorer's cells, as the paper counts
   bool force{false};
 };
 [[nodiscard]] Command make_epsilon_command(Deed<EpsilonOptions> deed);

@@ -19,14 +19,16 @@ Scene scene_of(const SceneChoice& choice) {
 
 void write_file(const std::filesystem::path& path, std::string_view content, bool force) {
   if (!force && std::filesystem::exists(path)) {
-    throw CommandError(ExitCode::kCannotCreate, fmt::format("{}: exists; --force replaces it", path.string()));
+    throw CommandError(ExitCode::kCannotCreate,
+                       fmt::format("{}: exists; --force replaces it", path.string()));
   }
   OutputFile file(path);
   file.append(content);
   file.finish();
 }
 
-void write_picture(const std::filesystem::path& path, const render::Image& image, std::string_view comment, bool force) {
+void write_picture(const std::filesystem::path& path, const render::Image& image, std::string_view comment,
+                   bool force) {
   render::PngText text;
   text.comment = comment;
   const auto bytes = drawn_or_throw(render::encode_png(image, text));

@@ -19,7 +19,8 @@ namespace sensotwin::twin {
 void write_file(const std::filesystem::path& path, std::string_view content, bool force);
 
 /// The image as a PNG that says where it comes from. \throws CommandError, OutputError
-void write_picture(const std::filesystem::path& path, const render::Image& image, std::string_view comment, bool force);
+void write_picture(const std::filesystem::path& path, const render::Image& image, std::string_view comment,
+                   bool force);
 
 /// The value, or its error as a CommandError.
 template <class T>

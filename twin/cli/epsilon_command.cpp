@@ -32,7 +32,8 @@ Command make_epsilon_command(Deed<EpsilonOptions> deed) {
                            "Blocked neighbours are known on arrival, or by bumping")
                 ->check(CLI::IsMember({"adjacent", "bump"}))
                 ->option_text("adjacent|bump");
-            app.add_option("--chart", options->chart, "Heat map of the first explorer's cells, as the paper counts")
+            app.add_option("--chart", options->chart,
+                           "Heat map of the first explorer's cells, as the paper counts")
                 ->option_text("PATH");
             add_output_options(app, options->out, options->force, "CSV with every cell");
           },

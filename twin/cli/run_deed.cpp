@@ -36,7 +36,8 @@ std::string table_of(const Summary& summary) {
     if (figure.asked.max) {
       bounds += fmt::format(" at most {:g}", *figure.asked.max);
     }
-    table += fmt::format("{} {} {:g}, asked{}\n", figure.ok ? "ok    " : "FAILED", figure.asked.name, figure.value, bounds);
+    table += fmt::format("{} {} {:g}, asked{}\n", figure.ok ? "ok    " : "FAILED", figure.asked.name,
+                         figure.value, bounds);
   }
   return table + fmt::format("verdict {}\n", verdict_of(summary));
 }

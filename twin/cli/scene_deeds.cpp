@@ -19,18 +19,27 @@ namespace sensotwin::twin {
 namespace {
 
 render::Backend backend_of(const std::string& name) {
-  return name == "osmesa" ? render::Backend::kOsMesa : name == "egl" ? render::Backend::kEgl : render::Backend::kAuto;
+  return name == "osmesa" ? render::Backend::kOsMesa
+         : name == "egl"  ? render::Backend::kEgl
+                          : render::Backend::kAuto;
 }
 
 std::string_view summary_of(robot::ExplorerKind kind) {
   switch (kind) {
-    case robot::ExplorerKind::kBfm: return "breadth first (SensoBot, IV.1), next open neighbour directly";
-    case robot::ExplorerKind::kBfmOutAndBack: return "breadth first, back to the tag after each open neighbour";
-    case robot::ExplorerKind::kBfmAllNeighbours: return "breadth first, back after each of all four neighbours";
-    case robot::ExplorerKind::kDfm: return "depth first (SensoBot, IV.2), retracing every tag";
-    case robot::ExplorerKind::kIdfm: return "depth first, improved (SensoBot, Algorithm 1)";
-    case robot::ExplorerKind::kSpiral: return "right-hand spiral, then the nearest open tag";
-    case robot::ExplorerKind::kSweep: break;
+    case robot::ExplorerKind::kBfm:
+      return "breadth first (SensoBot, IV.1), next open neighbour directly";
+    case robot::ExplorerKind::kBfmOutAndBack:
+      return "breadth first, back to the tag after each open neighbour";
+    case robot::ExplorerKind::kBfmAllNeighbours:
+      return "breadth first, back after each of all four neighbours";
+    case robot::ExplorerKind::kDfm:
+      return "depth first (SensoBot, IV.2), retracing every tag";
+    case robot::ExplorerKind::kIdfm:
+      return "depth first, improved (SensoBot, Algorithm 1)";
+    case robot::ExplorerKind::kSpiral:
+      return "right-hand spiral, then the nearest open tag";
+    case robot::ExplorerKind::kSweep:
+      break;
   }
   return "ours, the default: plans the rest ahead, detours round what blocks straight moves";
 }
@@ -42,10 +51,12 @@ std::string map_name(const std::filesystem::path& map) {
 }
 
 Probe renderer_probe(render::Backend backend, bool required) {
-  return {.name = fmt::format("renderer {}", render::name_of(backend)), .required = required, .look = [backend] {
-            const auto context = render::make_context(backend);
-            return context ? ProbeResult{true, (*context)->renderer()} : ProbeResult{false, context.error().message};
-          }};
+  return {
+      .name = fmt::format("renderer {}", render::name_of(backend)), .required = required, .look = [backend] {
+        const auto context = render::make_context(backend);
+        return context ? ProbeResult{true, (*context)->renderer()}
+                       : ProbeResult{false, context.error().message};
+      }};
 }
 
 }  // namespace
@@ -57,9 +68,11 @@ ExitCode show_deed(const ShowOptions& options, Context& context) {
 
 ExitCode render_deed(const RenderOptions& options, Context& context) {
   const Scene scene = scene_of(options.choice);
-  const world::World world(scene.world, scene.robot, scene.physics, robot::RandomStream(scene.seed).fork("world"));
+  const world::World world(scene.world, scene.robot, scene.physics,
+                           robot::RandomStream(scene.seed).fork("world"));
   render::SceneView view = view_of(scene, world.tags(), world.X_WF());
-  view.robot = render::RobotView{scene.robot.X_WR_start, scene.robot.base.radius_m, scene.robot.base.height_m};
+  view.robot =
+      render::RobotView{scene.robot.X_WR_start, scene.robot.base.radius_m, scene.robot.base.height_m};
   const auto gl = drawn_or_throw(render::make_context(backend_of(options.renderer)));
   render::PictureOptions picture;
   picture.width_px = options.width_px;
@@ -89,8 +102,8 @@ ExitCode import_deed(const ImportOptions& options, Context& context) {
         name, name, from_scene.string(), options.tile_m);
     const Scene scene = read_scene_text(text, path);
     write_file(path, text, options.force);
-    context.say(fmt::format("{:.0f} m2 of floor, {} walls of {} segments, {} tiles", figures.free_m2, figures.outlines,
-                            figures.segments, scene.world.carpet.tiles.size()));
+    context.say(fmt::format("{:.0f} m2 of floor, {} walls of {} segments, {} tiles", figures.free_m2,
+                            figures.outlines, figures.segments, scene.world.carpet.tiles.size()));
     context.out << path.string() << '\n';
   } catch (const SceneError& error) {
     throw CommandError(static_cast<ExitCode>(error.exit_code()), error.what(), true);

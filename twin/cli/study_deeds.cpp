@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <fstream>
 #include <nlohmann/json.hpp>
+#include <optional>
 #include <ostream>
 #include <thread>
 
@@ -11,6 +12,7 @@
 #include "render/mapping_pictures.hpp"
 #include "twin/cli/deed_support.hpp"
 #include "twin/cli/deeds.hpp"
+#include "twin/output/signals.hpp"
 #include "twin/study/epsilon_study.hpp"
 
 namespace sensotwin::twin {
@@ -19,7 +21,8 @@ namespace {
 nlohmann::json read_json(const std::filesystem::path& path) {
   std::ifstream in(path);
   if (!in) {
-    throw CommandError(ExitCode::kInputMissing, fmt::format("{}: cannot be read; is this the folder of a run?", path.string()));
+    throw CommandError(ExitCode::kInputMissing,
+                       fmt::format("{}: cannot be read; is this the folder of a run?", path.string()));
   }
   try {
     return nlohmann::json::parse(in);
@@ -32,7 +35,8 @@ nlohmann::json read_json(const std::filesystem::path& path) {
 render::ExplorerRun found_in(const std::filesystem::path& folder, const std::string& explorer) {
   std::ifstream in(folder / "events.jsonl");
   if (!in) {
-    throw CommandError(ExitCode::kInputMissing, fmt::format("{}: cannot be read", (folder / "events.jsonl").string()));
+    throw CommandError(ExitCode::kInputMissing,
+                       fmt::format("{}: cannot be read", (folder / "events.jsonl").string()));
   }
   render::ExplorerRun run{explorer, {{0.0, 0.0}}};
   int line_number = 0;
@@ -54,11 +58,12 @@ render::ExplorerRun found_in(const std::filesystem::path& folder, const std::str
 render::HeatmapChart surface_of(const EpsilonStudy& study) {
   const ExplorerEpsilon& explorer = study.explorers.front();
   render::HeatmapChart chart;
-  chart.frame.title = fmt::format("Superfluous visits of {}, as the paper counts", robot::name_of(explorer.explorer));
-  chart.frame.subtitle = fmt::format("mean of {} rooms of 324 tags a cell · seed {} · fit {:.4f} Bp {:+.4f} Bd {:+.4f}",
-                                     study.options.maps_per_cell, study.options.seed,
-                                     explorer.paper_fit.per_blocked_percent, explorer.paper_fit.per_chunk,
-                                     explorer.paper_fit.constant);
+  chart.frame.title =
+      fmt::format("Superfluous visits of {}, as the paper counts", robot::name_of(explorer.explorer));
+  chart.frame.subtitle =
+      fmt::format("mean of {} rooms of 324 tags a cell · seed {} · fit {:.4f} Bp {:+.4f} Bd {:+.4f}",
+                  study.options.maps_per_cell, study.options.seed, explorer.paper_fit.per_blocked_percent,
+                  explorer.paper_fit.per_chunk, explorer.paper_fit.constant);
   chart.frame.x.label = "Bd, pieces of furniture";
   chart.frame.y.label = "Bp, blocked tags in per cent";
   chart.value_label = "epsilon in per cent";
@@ -108,7 +113,8 @@ ExitCode epsilon_deed(const EpsilonOptions& options, Context& context) {
   EpsilonStudyOptions study;
   study.maps_per_cell = options.maps_per_cell;
   study.seed = options.seed;
-  study.jobs = options.jobs > 0 ? options.jobs : static_cast<int>(std::max(1u, std::thread::hardware_concurrency()));
+  study.jobs =
+      options.jobs > 0 ? options.jobs : static_cast<int>(std::max(1u, std::thread::hardware_concurrency()));
   study.knowledge = options.knowledge == "bump" ? Knowledge::kBump : Knowledge::kAdjacent;
   if (!options.explorers.empty()) {
     study.explorers.clear();
@@ -116,26 +122,38 @@ ExitCode epsilon_deed(const EpsilonOptions& options, Context& context) {
   for (const std::string& name : options.explorers) {
     const auto kind = robot::explorer_kind_from(name);
     if (!kind) {
-      throw CommandError(ExitCode::kWrongCommandLine, fmt::format("no explorer is called '{}'; twin list explorers names them", name));
+      throw CommandError(ExitCode::kWrongCommandLine,
+                         fmt::format("no explorer is called '{}'; twin list explorers names them", name));
     }
     study.explorers.push_back(*kind);
   }
   Progress progress(context.talk, context.progress, "epsilon", "rooms");
   const double begun = context.wall_s();
-  const EpsilonStudy result = run_epsilon_study(study, [&](int done, int total) {
+  ProgressState state;
+  const std::optional<EpsilonStudy> result = run_epsilon_study(study, [&](int done, int total) {
     if (context.verbosity != Verbosity::kQuiet) {
-      progress.update({.done = static_cast<double>(done), .total = static_cast<double>(total),
-                       .wall_s = context.wall_s() - begun, .note = {}});
+      state = {.done = static_cast<double>(done),
+               .total = static_cast<double>(total),
+               .wall_s = context.wall_s() - begun,
+               .note = {}};
+      progress.update(state);
     }
+    return !pending_interruption();
   });
+  if (context.verbosity != Verbosity::kQuiet) {
+    progress.finish(state);
+  }
+  if (!result) {
+    return pending_interruption().value_or(ExitCode::kInterrupted);
+  }
   if (options.out) {
-    write_file(*options.out, to_csv(result), options.force);
+    write_file(*options.out, to_csv(*result), options.force);
   }
   if (options.chart) {
-    const auto drawn = drawn_or_throw(render::draw(surface_of(result)));
+    const auto drawn = drawn_or_throw(render::draw(surface_of(*result)));
     write_picture(*options.chart, drawn.image, fmt::format("seed {}", study.seed), options.force);
   }
-  context.out << (context.json ? to_json(result) : to_table(result));
+  context.out << (context.json ? to_json(*result) : to_table(*result));
   return ExitCode::kDone;
 }
 

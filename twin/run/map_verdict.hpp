@@ -24,10 +24,10 @@ struct MapPlacement {
 
 /// How one tile of the truth ended.
 enum class TileOutcome : std::uint8_t {
-  kMapped,       ///< its tag holds its right coordinates
-  kWrong,        ///< its tag holds others, or its coordinates stand in another tag too
-  kMissed,       ///< promised by the explorer, and blank
-  kBeyond,       ///< out of the explorer's reach, and blank
+  kMapped,  ///< its tag holds its right coordinates
+  kWrong,   ///< its tag holds others, or its coordinates stand in another tag too
+  kMissed,  ///< promised by the explorer, and blank
+  kBeyond,  ///< out of the explorer's reach, and blank
 };
 
 struct JudgedTile {
@@ -43,9 +43,9 @@ struct MapVerdict {
   int missed{0};
 };
 
-/// Whether the carpet now holds its own map: reads every tag's memory, decodes what this run wrote, and compares with
-/// where the tag lies. Truth against chips; what the robot believes does not enter.
-/// \param promised  tiles that the explorer must map: all that can be reached, or by straight moves alone
+/// Whether the carpet now holds its own map: reads every tag's memory, decodes what this run wrote, and
+/// compares with where the tag lies. Truth against chips; what the robot believes does not enter. \param
+/// promised  tiles that the explorer must map: all that can be reached, or by straight moves alone
 [[nodiscard]] MapVerdict judge_map(std::span<const world::Tag> tags, std::uint32_t map_id,
                                    const std::optional<MapPlacement>& placement,
                                    const std::set<std::pair<int, int>>& promised);

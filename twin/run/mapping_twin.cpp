@@ -10,10 +10,17 @@ EmulatedRoombaConfig mainboard_of(const Scene& scene) {
   EmulatedRoombaConfig config;
   config.body = scene.robot.base;
   switch (scene.robot.base.firmware) {
-    case world::RoombaFirmware::kCurrent: break;
-    case world::RoombaFirmware::kBefore341: config.firmware = {3, 4, 0}; break;
-    case world::RoombaFirmware::kBefore330: config.firmware = {3, 2, 0}; break;
-    case world::RoombaFirmware::kWifi: config.mode_one_too_high = true; break;
+    case world::RoombaFirmware::kCurrent:
+      break;
+    case world::RoombaFirmware::kBefore341:
+      config.firmware = {3, 4, 0};
+      break;
+    case world::RoombaFirmware::kBefore330:
+      config.firmware = {3, 2, 0};
+      break;
+    case world::RoombaFirmware::kWifi:
+      config.mode_one_too_high = true;
+      break;
   }
   return config;
 }
@@ -67,7 +74,8 @@ MappingTwin::MappingTwin(const Scene& scene, const Rewiring& rewire)
       floor_reader_(card_reader_settings(scene.robot.floor_reader), random_.fork("floor reader")),
       forward_reader_(card_reader_settings(scene.robot.forward_reader), random_.fork("forward reader")),
       compass_(scene.robot.compass),
-      program_(rewired({serial_, floor_reader_, forward_reader_, compass_}, rewire), mapping_config_of(scene, map_id_),
+      program_(rewired({serial_, floor_reader_, forward_reader_, compass_}, rewire),
+               mapping_config_of(scene, map_id_),
                robot::make_explorer(scene.mission.map->explorer,
                                     move_cost_of(*scene.mission.map, scene.world.carpet.tile_m))) {}
 

@@ -17,14 +17,15 @@
 
 namespace sensotwin::twin {
 
-/// A Roomba in a house, as bytes see it: the world, the emulated devices in it, and at the other end of their wires the
-/// very program that runs on the machine. Lock-step in virtual time: one tick is 15 ms of everything.
+/// A Roomba in a house, as bytes see it: the world, the emulated devices in it, and at the other end of their
+/// wires the very program that runs on the machine. Lock-step in virtual time: one tick is 15 ms of
+/// everything.
 ///
 /// Neither copies nor moves: the program holds references to the devices.
 class MappingTwin {
  public:
-  /// Puts something between the devices and the program, for instance faults: takes the devices' ends of the wires and
-  /// gives those that the program gets, which must outlive the twin.
+  /// Puts something between the devices and the program, for instance faults: takes the devices' ends of the
+  /// wires and gives those that the program gets, which must outlive the twin.
   using Rewiring = std::function<robot::MappingLinks(const robot::MappingLinks&)>;
 
   /// \pre scene.mission.map
@@ -69,7 +70,8 @@ class MappingTwin {
   StateHash hash_;
 };
 
-/// The program's configuration as the scene's robot and mission sections say it: the same keys configure the machine.
+/// The program's configuration as the scene's robot and mission sections say it: the same keys configure the
+/// machine.
 [[nodiscard]] robot::MappingProgramConfig mapping_config_of(const Scene& scene, std::uint32_t map_id);
 
 }  // namespace sensotwin::twin

@@ -16,7 +16,8 @@
 namespace sensotwin::twin {
 namespace {
 
-/// Moments of the progress sheet and of snapshots/, as fractions of the tiles found (SensoBot, Figure 6 shows six).
+/// Moments of the progress sheet and of snapshots/, as fractions of the tiles found (SensoBot, Figure 6 shows
+/// six).
 constexpr std::array<double, 6> kMoments{0.1, 0.25, 0.45, 0.65, 0.85, 1.0};
 
 /// Snapshots are leafed through: smaller than the other pictures, and drawn in less than half the time.
@@ -25,8 +26,9 @@ constexpr render::PictureOptions kSnapshot{.width_px = 1000};
 template <class T>
 T drawn(render::Rendered<T> result, std::string_view name) {
   if (!result) {
-    throw OutputError(ExitCode::kCannotCreate, fmt::format("{}: not drawn: {}; --no-pictures runs without pictures",
-                                                           name, result.error().message));
+    throw OutputError(
+        ExitCode::kCannotCreate,
+        fmt::format("{}: not drawn: {}; --no-pictures runs without pictures", name, result.error().message));
   }
   return std::move(*result);
 }
@@ -34,11 +36,18 @@ T drawn(render::Rendered<T> result, std::string_view name) {
 /// One run's pictures: the scene with the robot's map laid over it.
 class RunPainter {
  public:
-  RunPainter(const Scene& scene, const MappingTwin& twin, const RunRecorder& recorder, const MapVerdict& verdict,
-             const std::optional<MapPlacement>& placement, const Summary& summary, RunFolder& folder,
-             const std::function<bool()>& may_go_on)
-      : scene_(scene), twin_(twin), recorder_(recorder), verdict_(verdict), placement_(placement), summary_(summary),
-        folder_(folder), may_go_on_(may_go_on), context_(drawn(render::make_context(), "pictures")),
+  RunPainter(const Scene& scene, const MappingTwin& twin, const RunRecorder& recorder,
+             const MapVerdict& verdict, const std::optional<MapPlacement>& placement, const Summary& summary,
+             RunFolder& folder, const std::function<bool()>& may_go_on)
+      : scene_(scene),
+        twin_(twin),
+        recorder_(recorder),
+        verdict_(verdict),
+        placement_(placement),
+        summary_(summary),
+        folder_(folder),
+        may_go_on_(may_go_on),
+        context_(drawn(render::make_context(), "pictures")),
         base_(view_of(scene, twin.world().tags(), twin.world().X_WF())) {}
 
   /// \returns false when it was told to stop
@@ -52,7 +61,8 @@ class RunPainter {
     if (!may_go_on_()) {
       return false;
     }
-    save("recovered.png", drawn(render::draw_recovered_plan(*context_, recovered_view()), "recovered.png").image);
+    save("recovered.png",
+         drawn(render::draw_recovered_plan(*context_, recovered_view()), "recovered.png").image);
     if (!may_go_on_() || !draw_progress() || !may_go_on_()) {
       return false;
     }
@@ -70,8 +80,8 @@ class RunPainter {
 
   [[nodiscard]] std::string figures() const {
     const MapResult& map = *summary_.map;
-    return fmt::format("{}: {} of {} tiles in {:.1f} min, {:.0f} m, epsilon {:.1f} %", map.explorer, map.tiles_mapped,
-                       promised(), map.minutes, map.metres, 100.0 * map.epsilon);
+    return fmt::format("{}: {} of {} tiles in {:.1f} min, {:.0f} m, epsilon {:.1f} %", map.explorer,
+                       map.tiles_mapped, promised(), map.minutes, map.metres, 100.0 * map.epsilon);
   }
   [[nodiscard]] int promised() const { return verdict_.mapped + verdict_.missed; }
 
@@ -101,7 +111,8 @@ class RunPainter {
     for (std::size_t i = 0; i < view.tiles.size() && i < verdict_.tiles.size(); ++i) {
       view.tiles[i].state = state_of(verdict_.tiles[i]);
     }
-    view.robot = render::RobotView{twin_.world().X_WR(), scene_.robot.base.radius_m, scene_.robot.base.height_m};
+    view.robot =
+        render::RobotView{twin_.world().X_WR(), scene_.robot.base.radius_m, scene_.robot.base.height_m};
     return view;
   }
 
@@ -120,8 +131,8 @@ class RunPainter {
       const auto& before = view.trajectory[view.trajectory.size() - back].p_m;
       const double yaw = std::atan2(end.y() - before.y(), end.x() - before.x());
       const bool now = until_s >= summary_.sim_s;
-      view.robot = render::RobotView{now ? twin_.world().X_WR() : robot::Pose2{end, yaw}, scene_.robot.base.radius_m,
-                                     scene_.robot.base.height_m};
+      view.robot = render::RobotView{now ? twin_.world().X_WR() : robot::Pose2{end, yaw},
+                                     scene_.robot.base.radius_m, scene_.robot.base.height_m};
     }
     if (!placement_) {
       return view;
@@ -135,10 +146,11 @@ class RunPainter {
     for (std::size_t i = 0; i < view.tiles.size() && i < verdict_.tiles.size(); ++i) {
       const robot::Tile own = tile_in_map(*placement_, verdict_.tiles[i].column, verdict_.tiles[i].row);
       if (known.contains(own)) {
-        const bool closed = std::all_of(robot::kDirections.begin(), robot::kDirections.end(), [&](robot::Direction d) {
-          const robot::Tile next = neighbour(own, d);
-          return known.contains(next) || !twin_.program().mission().map().visited(next);
-        });
+        const bool closed =
+            std::all_of(robot::kDirections.begin(), robot::kDirections.end(), [&](robot::Direction d) {
+              const robot::Tile next = neighbour(own, d);
+              return known.contains(next) || !twin_.program().mission().map().visited(next);
+            });
         view.tiles[i].state = closed ? render::TileState::kBlack : render::TileState::kGrey;
       }
     }
@@ -227,9 +239,9 @@ class RunPainter {
 
 }  // namespace
 
-bool draw_run(const Scene& scene, const MappingTwin& twin, const RunRecorder& recorder, const MapVerdict& verdict,
-              const std::optional<MapPlacement>& placement, const Summary& summary, RunFolder& folder,
-              const std::function<bool()>& may_go_on) {
+bool draw_run(const Scene& scene, const MappingTwin& twin, const RunRecorder& recorder,
+              const MapVerdict& verdict, const std::optional<MapPlacement>& placement, const Summary& summary,
+              RunFolder& folder, const std::function<bool()>& may_go_on) {
   return RunPainter(scene, twin, recorder, verdict, placement, summary, folder, may_go_on).draw_all();
 }
 

@@ -19,6 +19,7 @@ namespace sensotwin::twin {
 /// \throws OutputError; a missing renderer is one, with its remedy
 [[nodiscard]] bool draw_run(const Scene& scene, const MappingTwin& twin, const RunRecorder& recorder,
                             const MapVerdict& verdict, const std::optional<MapPlacement>& placement,
-                            const Summary& summary, RunFolder& folder, const std::function<bool()>& may_go_on);
+                            const Summary& summary, RunFolder& folder,
+                            const std::function<bool()>& may_go_on);
 
 }  // namespace sensotwin::twin

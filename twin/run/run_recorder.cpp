@@ -17,20 +17,34 @@ constexpr int kPointEvery = 7;
 
 std::string_view name_of(robot::MissionEventKind kind) {
   switch (kind) {
-    case robot::MissionEventKind::kTileFound: return "tile_found";
-    case robot::MissionEventKind::kTileWritten: return "tile_written";
-    case robot::MissionEventKind::kWriteFailed: return "write_failed";
-    case robot::MissionEventKind::kPassageSeen: return "passage_blocked_by_light";
-    case robot::MissionEventKind::kPassageBumped: return "passage_blocked_by_touch";
-    case robot::MissionEventKind::kTagMissed: return "tag_missed";
-    case robot::MissionEventKind::kTagRecovered: return "tag_recovered";
-    case robot::MissionEventKind::kTagGivenUp: return "tag_given_up";
-    case robot::MissionEventKind::kDetourBegun: return "detour_begun";
-    case robot::MissionEventKind::kDetourDone: return "detour_done";
-    case robot::MissionEventKind::kUnreachable: return "tile_unreachable";
-    case robot::MissionEventKind::kDisplaced: return "displaced";
-    case robot::MissionEventKind::kLost: return "lost";
-    case robot::MissionEventKind::kDone: break;
+    case robot::MissionEventKind::kTileFound:
+      return "tile_found";
+    case robot::MissionEventKind::kTileWritten:
+      return "tile_written";
+    case robot::MissionEventKind::kWriteFailed:
+      return "write_failed";
+    case robot::MissionEventKind::kPassageSeen:
+      return "passage_blocked_by_light";
+    case robot::MissionEventKind::kPassageBumped:
+      return "passage_blocked_by_touch";
+    case robot::MissionEventKind::kTagMissed:
+      return "tag_missed";
+    case robot::MissionEventKind::kTagRecovered:
+      return "tag_recovered";
+    case robot::MissionEventKind::kTagGivenUp:
+      return "tag_given_up";
+    case robot::MissionEventKind::kDetourBegun:
+      return "detour_begun";
+    case robot::MissionEventKind::kDetourDone:
+      return "detour_done";
+    case robot::MissionEventKind::kUnreachable:
+      return "tile_unreachable";
+    case robot::MissionEventKind::kDisplaced:
+      return "displaced";
+    case robot::MissionEventKind::kLost:
+      return "lost";
+    case robot::MissionEventKind::kDone:
+      break;
   }
   return "map_complete";
 }
@@ -42,7 +56,9 @@ std::string text_of(robot::TagUid uid) {
 }  // namespace
 
 RunRecorder::RunRecorder(RunFolder& folder, int trace_every)
-    : trace_(folder.stream("trace.csv"), trace_every), events_(folder.stream("events.jsonl")), point_every_(kPointEvery) {}
+    : trace_(folder.stream("trace.csv"), trace_every),
+      events_(folder.stream("events.jsonl")),
+      point_every_(kPointEvery) {}
 
 void RunRecorder::record(MappingTwin& twin) {
   const world::RoombaInputs& inputs = twin.inputs();
@@ -63,7 +79,8 @@ void RunRecorder::record_events(MappingTwin& twin) {
         events_.add(event.stamp, name_of(event.kind),
                     {{"column", event.tile.column}, {"row", event.tile.row}, {"tag", text_of(event.tag)}});
       } else {
-        events_.add(event.stamp, name_of(event.kind), {{"column", event.tile.column}, {"row", event.tile.row}});
+        events_.add(event.stamp, name_of(event.kind),
+                    {{"column", event.tile.column}, {"row", event.tile.row}});
       }
     }
   }

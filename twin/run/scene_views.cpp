@@ -10,19 +10,25 @@ namespace {
 std::string_view label_of(world::LandmarkKind kind) {
   switch (kind) {
     case world::LandmarkKind::kDoorOpeningSide:
-    case world::LandmarkKind::kDoorFixedSide: return "door";
+    case world::LandmarkKind::kDoorFixedSide:
+      return "door";
     case world::LandmarkKind::kFrontDoorOpeningSide:
-    case world::LandmarkKind::kFrontDoorFixedSide: return "front door";
+    case world::LandmarkKind::kFrontDoorFixedSide:
+      return "front door";
     case world::LandmarkKind::kWindowLeft:
-    case world::LandmarkKind::kWindowRight: return "window";
-    case world::LandmarkKind::kPowerOutlet: return "outlet";
+    case world::LandmarkKind::kWindowRight:
+      return "window";
+    case world::LandmarkKind::kPowerOutlet:
+      return "outlet";
     case world::LandmarkKind::kClosetLeft:
-    case world::LandmarkKind::kClosetRight: break;
+    case world::LandmarkKind::kClosetRight:
+      break;
   }
   return "closet";
 }
 
-render::FurnitureView view_of(const world::Furniture& piece, const world::Pose2& X_WF, double robot_height_m) {
+render::FurnitureView view_of(const world::Furniture& piece, const world::Pose2& X_WF,
+                              double robot_height_m) {
   render::FurnitureView view;
   view.name = piece.name;
   view.height_m = piece.height_m;
@@ -30,9 +36,12 @@ render::FurnitureView view_of(const world::Furniture& piece, const world::Pose2&
   const bool raised = piece.clearance_m > robot_height_m;
   view.kind = raised ? render::FurnitureKind::kRaised : render::FurnitureKind::kSolid;
   switch (piece.shape) {
-    case world::FurnitureShape::kCircle: view.circles.push_back({X_WF.p_m, piece.radius_m}); break;
+    case world::FurnitureShape::kCircle:
+      view.circles.push_back({X_WF.p_m, piece.radius_m});
+      break;
     case world::FurnitureShape::kBox:
-      for (const auto& [x, y] : std::array<std::pair<double, double>, 4>{{{-1, -1}, {1, -1}, {1, 1}, {-1, 1}}}) {
+      for (const auto& [x, y] :
+           std::array<std::pair<double, double>, 4>{{{-1, -1}, {1, -1}, {1, 1}, {-1, 1}}}) {
         view.outline_m.push_back(X_WF * world::Vec2{x * piece.size_m.x() / 2.0, y * piece.size_m.y() / 2.0});
       }
       break;
@@ -68,7 +77,8 @@ render::SceneView view_of(const Scene& scene, std::span<const world::Tag> tags,
   }
   for (std::size_t i = 0; i < scene.world.furniture.size(); ++i) {
     const world::Furniture& piece = scene.world.furniture[i];
-    view.furniture.push_back(view_of(piece, i < X_WF.size() ? X_WF[i] : piece.X_WF, scene.robot.base.height_m));
+    view.furniture.push_back(
+        view_of(piece, i < X_WF.size() ? X_WF[i] : piece.X_WF, scene.robot.base.height_m));
   }
   for (const auto& [column, row] : scene.world.carpet.tiles) {
     view.tiles.push_back({.center_m = tile_centre_m(scene.world.carpet, column, row),

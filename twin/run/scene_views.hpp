@@ -9,8 +9,9 @@
 
 namespace sensotwin::twin {
 
-/// What of a scene never changes, as a picture wants it: walls, furniture where `X_WF` says (one pose a piece; empty:
-/// where the scene puts it), tags, landmarks, home base, start, and every carpet tile as not visited yet.
+/// What of a scene never changes, as a picture wants it: walls, furniture where `X_WF` says (one pose a
+/// piece; empty: where the scene puts it), tags, landmarks, home base, start, and every carpet tile as not
+/// visited yet.
 [[nodiscard]] render::SceneView view_of(const Scene& scene, std::span<const world::Tag> tags,
                                         std::span<const world::Pose2> X_WF);
 

@@ -26,8 +26,8 @@ constexpr std::array<std::string_view, 9> kLandmarkWords{
 constexpr std::array<std::string_view, 1> kNoneWord{"none"};
 constexpr std::array<std::string_view, 2> kPaceWords{"own", "paper"};
 
-/// As robot/mapping spells them, in the order of the enumeration. Made when first asked for, so that it is there
-/// for whoever reads or writes a scene before main, in whatever order static objects are made.
+/// As robot/mapping spells them, in the order of the enumeration. Made when first asked for, so that it is
+/// there for whoever reads or writes a scene before main, in whatever order static objects are made.
 std::span<const std::string_view> explorer_words() {
   static const auto kWords = [] {
     std::array<std::string_view, robot::kExplorerKinds.size()> words;
@@ -258,7 +258,8 @@ void mission_fields(FieldVisitor& v, Mission& mission) {
       {"map", [&] { mission.map.emplace(); },
        [&] {
          v.section({"map", "SensoBot: map the carpet"}, [&] {
-           v.choice({"explorer", "order in which tiles are visited"}, mission.map->explorer, explorer_words());
+           v.choice({"explorer", "order in which tiles are visited"}, mission.map->explorer,
+                    explorer_words());
            v.section_or_word(
                {"pace", "how fast it works: own, paper (3.4 s a tile, 4.4 s a new tag), or figures"},
                kPaceWords, std::nullopt,

@@ -32,7 +32,7 @@ EpsilonCell reduce(const ObstacleCell& obstacles, const DriveTally* tallies, std
     const double turns = static_cast<double>(tally.quarter_turns) / tally.tags;
     cell.turns_per_tag += turns / maps;
     cell.time_per_tag_s +=
-        (options.cost.tile_s * tally.moves / tally.tags + options.cost.quarter_turn_s * turns) / maps;
+        (options.pace.tile_s * tally.moves / tally.tags + options.pace.quarter_turn_s * turns) / maps;
     if (tally.tags_visited < tally.tags) ++cell.incomplete_maps;
   }
   return cell;
@@ -82,8 +82,8 @@ const EpsilonCell& ExplorerEpsilon::worst_paper_cell() const {
   return worst_of(cells, &EpsilonCell::paper);
 }
 
-EpsilonStudy run_epsilon_study(const EpsilonStudyOptions& options,
-                               const std::function<void(int, int)>& progress) {
+std::optional<EpsilonStudy> run_epsilon_study(const EpsilonStudyOptions& options,
+                                              const std::function<bool(int, int)>& progress) {
   assert(options.maps_per_cell > 0 && !options.cells.empty());
   const std::size_t kinds = options.explorers.size();
   const std::size_t maps = static_cast<std::size_t>(options.maps_per_cell);
@@ -97,7 +97,9 @@ EpsilonStudy run_epsilon_study(const EpsilonStudyOptions& options,
       tallies[room_index * kinds + kind] = drive(*explorer, room, {.knowledge = options.knowledge});
     }
   };
-  run_in_parallel(static_cast<int>(options.cells.size() * maps), options.jobs, drive_room, progress);
+  if (!run_in_parallel(static_cast<int>(options.cells.size() * maps), options.jobs, drive_room, progress)) {
+    return std::nullopt;
+  }
 
   EpsilonStudy study{.options = options, .explorers = {}};
   for (std::size_t kind = 0; kind < kinds; ++kind) {

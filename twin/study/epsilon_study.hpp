@@ -4,6 +4,7 @@
 #include <array>
 #include <cstdint>
 #include <functional>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -22,7 +23,9 @@ struct EpsilonStudyOptions {
   std::uint64_t seed{1};
   int jobs{1};  ///< threads; the result does not depend on their number
   Knowledge knowledge{Knowledge::kAdjacent};
-  robot::MoveCost cost{};  ///< what sweep minimises, and what `time_per_tag_s` is made of
+  /// What sweep minimises: visits, as epsilon counts them, not time.
+  robot::MoveCost cost{.tile_s = 1.0, .quarter_turn_s = 0.0};
+  robot::MoveCost pace{};  ///< what `time_per_tag_s` is made of
   std::vector<ObstacleCell> cells = paper_cells();
 };
 
@@ -67,9 +70,12 @@ struct EpsilonStudy {
 };
 
 /// Drives each explorer through `maps_per_cell` rooms of each cell; all explorers get the same rooms.
-/// \param progress  called from the working threads, one call at a time, with the rooms done and their number
-[[nodiscard]] EpsilonStudy run_epsilon_study(const EpsilonStudyOptions& options,
-                                             const std::function<void(int, int)>& progress = {});
+/// \param progress  called from the working threads, one call at a time, with the rooms done and their
+/// number; the
+///   study ends early once it returns false
+/// \returns nothing when it ended before its last room
+[[nodiscard]] std::optional<EpsilonStudy> run_epsilon_study(
+    const EpsilonStudyOptions& options, const std::function<bool(int, int)>& progress = {});
 
 /// Least squares for z = a x + b y + c. \pre at least three points that are not on one line
 [[nodiscard]] PlaneFit fit_plane(const std::vector<std::array<double, 3>>& points);

@@ -82,6 +82,17 @@ TEST(Interruption, OfARunThatIsDrawingItsPicturesDoesNotWaitForTheRest) {
   EXPECT_FALSE(std::filesystem::exists(folder / "run/tags_over_time.png"));
 }
 
+TEST(Interruption, OfAStudyEndsAtTheFirstSigintAndLeavesNothingHalfWritten) {
+  const TemporaryFolder folder;
+  BackgroundTwin twin({"epsilon", "--explorer", "sweep", "--maps", "10000", "--out",
+                       (folder / "cells.csv").string(), "--chart", (folder / "chart.png").string()});
+  std::this_thread::sleep_for(std::chrono::milliseconds(300));
+  const auto end = twin.stop(SIGINT);
+  EXPECT_EQ(end.code, 130);
+  EXPECT_LT(end.after_s, 1.0);
+  EXPECT_TRUE(std::filesystem::is_empty(folder.path()));
+}
+
 TEST(Interruption, OfARealHomeEndsWithinASecondToo) {
   const std::filesystem::path map = kSource / "../shared/data/maps/home_create2_perceptor/map.yaml";
   if (!std::filesystem::exists(map)) {

@@ -39,9 +39,7 @@ INSTANTIATE_TEST_SUITE_P(TwentySeeds, RealHomes,
                          testing::Combine(testing::Values("home_create2_perceptor", "home_room_minibot",
                                                           "home_small_house_aws", "home_turtlebot3_house"),
                                           testing::Values("dfm", "idfm", "sweep")),
-                         [](const auto& of) {
-                           return std::get<0>(of.param) + "_" + std::get<1>(of.param);
-                         });
+                         [](const auto& of) { return std::get<0>(of.param) + "_" + std::get<1>(of.param); });
 
 }  // namespace
 }  // namespace sensotwin::twin

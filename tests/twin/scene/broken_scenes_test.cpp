@@ -56,7 +56,8 @@ const std::vector<Mistake> kKeyMistakes{
     {"FurnitureOfTwoShapes", "size_m: [1, 0.5]", "size_m: [1, 0.5], radius_m: 0.3",
      "s.yaml:8:36: error: world.furniture[0].size_m: does not go with 'radius_m'; leave one of them out"},
     {"ALegRadiusWithoutLegs", "size_m: [1, 0.5]", "size_m: [1, 0.5], leg_radius_m: 0.03",
-     "s.yaml:8:54: error: world.furniture[0].leg_radius_m: does not go with 'size_m'; leave one of them out"}};
+     "s.yaml:8:54: error: world.furniture[0].leg_radius_m: does not go with 'size_m'; leave one of them "
+     "out"}};
 
 /// Values of the wrong kind or outside their range.
 const std::vector<Mistake> kValueMistakes{

@@ -41,15 +41,24 @@ TEST(EpsilonStudy, GivesTheSameTextForAnyNumberOfJobs) {
   EpsilonStudyOptions options{.explorers = {ExplorerKind::kIdfm, ExplorerKind::kSweep},
                               .maps_per_cell = 3,
                               .cells = {{5, 1}, {15, 7}, {30, 16}}};
-  const std::string alone = to_json(run_epsilon_study(options));
+  const std::string alone = to_json(*run_epsilon_study(options));
   options.jobs = 4;
   int calls = 0;
-  EXPECT_EQ(to_json(run_epsilon_study(options, [&](int, int) { ++calls; })), alone);
+  EXPECT_EQ(to_json(*run_epsilon_study(options, [&](int, int) { return ++calls > 0; })), alone);
   EXPECT_EQ(calls, 9) << "progress is told of each room";
 }
 
+TEST(EpsilonStudy, EndsEarlyWithoutAResultWhenToldTo) {
+  for (const int jobs : {1, 4}) {
+    int calls = 0;
+    const auto third_is_enough = [&](int, int) { return ++calls < 3; };
+    EXPECT_FALSE(run_epsilon_study({.maps_per_cell = 50, .jobs = jobs}, third_is_enough));
+    EXPECT_EQ(calls, 3) << "of 4800";
+  }
+}
+
 TEST(EpsilonStudy, FindsThePapersPlaneWithFewMaps) {
-  const EpsilonStudy study = run_epsilon_study({.maps_per_cell = 20, .jobs = 2});
+  const EpsilonStudy study = *run_epsilon_study({.maps_per_cell = 20, .jobs = 2});
   const PlaneFit& fit = study.explorers.front().paper_fit;
   // The limits of the full study (10 % of each slope, 0.2 of the constant), and four standard errors of a fit
   // over 96 cells whose means are uncertain by spread / sqrt(20): Bp spreads by 8.54 about its mean, Bd
@@ -63,22 +72,21 @@ TEST(EpsilonStudy, FindsThePapersPlaneWithFewMaps) {
 }
 
 TEST(EpsilonStudy, SweepStaysUnderSixPercentWhereTheSpiralNeedsTen) {
-  // Every fourth chunk count of all six percentages; where tiles alone count.
+  // Every fourth chunk count of all six percentages.
   std::vector<ObstacleCell> cells;
   for (const ObstacleCell& c : paper_cells()) {
     if (c.chunks % 4 == 1) cells.push_back(c);
   }
-  const EpsilonStudy study = run_epsilon_study({.explorers = {ExplorerKind::kSweep, ExplorerKind::kSpiral},
-                                                .maps_per_cell = 4,
-                                                .jobs = 2,
-                                                .cost = {.tile_s = 1.0, .quarter_turn_s = 0.0},
-                                                .cells = cells});
+  const EpsilonStudy study = *run_epsilon_study({.explorers = {ExplorerKind::kSweep, ExplorerKind::kSpiral},
+                                                 .maps_per_cell = 4,
+                                                 .jobs = 2,
+                                                 .cells = cells});
   EXPECT_LT(study.explorers[0].mean_physical_percent(), 6.0);
   EXPECT_LT(study.explorers[0].mean_physical_percent(), 0.7 * study.explorers[1].mean_physical_percent());
 }
 
 TEST(EpsilonStudy, WritesCsvAndATableForPeople) {
-  const EpsilonStudy study = run_epsilon_study({.maps_per_cell = 2, .cells = {{5, 1}, {5, 2}, {10, 1}}});
+  const EpsilonStudy study = *run_epsilon_study({.maps_per_cell = 2, .cells = {{5, 1}, {5, 2}, {10, 1}}});
   EXPECT_THAT(to_csv(study), StartsWith("explorer,blocked_percent,chunks,paper_mean_percent"));
   EXPECT_THAT(to_csv(study), HasSubstr("\nidfm,5,1,"));
   EXPECT_THAT(to_table(study), HasSubstr("2 maps in each of 3 cells, seed 1"));

@@ -13,7 +13,7 @@ int all_processors() {
 }
 
 TEST(EpsilonSurface, AgreesWithEquationTwoOver96000Rooms) {
-  const EpsilonStudy study = run_epsilon_study({.maps_per_cell = 1000, .jobs = all_processors()});
+  const EpsilonStudy study = *run_epsilon_study({.maps_per_cell = 1000, .jobs = all_processors()});
   const ExplorerEpsilon& idfm = study.explorers.front();
   EXPECT_NEAR(idfm.paper_fit.per_blocked_percent, 0.0765, 0.1 * 0.0765);
   EXPECT_NEAR(idfm.paper_fit.per_chunk, 0.4869, 0.1 * 0.4869);
@@ -24,10 +24,8 @@ TEST(EpsilonSurface, AgreesWithEquationTwoOver96000Rooms) {
 }
 
 TEST(EpsilonSurface, OfSweepStaysUnderItsGoals) {
-  const EpsilonStudy study = run_epsilon_study({.explorers = {robot::ExplorerKind::kSweep},
-                                                .maps_per_cell = 30,
-                                                .jobs = all_processors(),
-                                                .cost = {.tile_s = 1.0, .quarter_turn_s = 0.0}});
+  const EpsilonStudy study = *run_epsilon_study(
+      {.explorers = {robot::ExplorerKind::kSweep}, .maps_per_cell = 30, .jobs = all_processors()});
   EXPECT_LE(study.explorers.front().mean_physical_percent(), 6.0);
   EXPECT_LE(study.explorers.front().worst_physical_cell().physical.mean_percent, 17.0);
 }

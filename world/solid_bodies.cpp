@@ -6,8 +6,9 @@
 namespace sensotwin::world {
 namespace {
 
-/// Chosen: the bumper's smooth plastic on painted wall and wood.
-constexpr float kShellFriction = 0.3F;
+/// Chosen low: Box2D mixes it with the wall's 0.2 to 0.1, a friction angle of 6 degrees. A rigid disc driven into a wedge
+/// narrower than its friction angle locks there for ever, where real plastic springs out.
+constexpr float kShellFriction = 0.05F;
 constexpr double kGravity_mps2 = 9.81;
 
 b2FixtureDef solid(const b2Shape& shape) {

@@ -70,13 +70,14 @@ Task<bool> MappingMission::perform(Move move) {
   const Tile from = mover_.at();
   MoveEnd end = MoveEnd::kLost;
   if (move.detour) {
-    end = co_await mover_.detour(move.target);
+    end = co_await mover_.detour(move.target, squeeze_);
   } else {
     end = co_await mover_.go(move.target);
   }
   if (end == MoveEnd::kBlocked && !move.detour) {
     map_.mark_passage(from, direction_between(from, move.target), Passage::kBlocked);
   } else if (end == MoveEnd::kBlocked) {
+    no_way_.insert(move.target);
     give_up(move.target);
   } else if (end == MoveEnd::kNoTag) {
     no_tag_.insert(move.target);
@@ -159,6 +160,26 @@ Task<bool> MappingMission::try_doubtful() {
       co_return true;  // and there may be more behind it
     }
   }
+  const bool squeezed = co_await squeeze();
+  co_return squeezed;
+}
+
+Task<bool> MappingMission::squeeze() {
+  squeeze_ = Squeeze::kYes;
+  for (const Tile tile : std::exchange(no_way_, {})) {
+    if (map_.visited(tile) || !tried_again_.insert(tile).second) {
+      continue;
+    }
+    const bool well = co_await perform({.target = tile, .detour = true});
+    if (!well) {
+      co_return false;
+    }
+    if (map_.visited(tile)) {
+      squeeze_ = Squeeze::kNo;
+      co_return true;
+    }
+  }
+  squeeze_ = Squeeze::kNo;
   co_return false;
 }
 

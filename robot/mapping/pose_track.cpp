@@ -2,6 +2,7 @@
 #include "robot/mapping/pose_track.hpp"
 
 #include <algorithm>
+#include <cassert>
 #include <cmath>
 
 namespace sensotwin::robot {
@@ -134,6 +135,7 @@ void PoseTrack::doubt(double factor) {
   propagate_covariance();
   const double yaw_factor = std::clamp(kDoubtedYaw_rad / std::sqrt(std::max(P_(2, 2), 1e-9)), 1.0, factor);
   const Eigen::Vector3d wider{factor, factor, yaw_factor};
+  assert(factor >= 1.0);
   P_.topLeftCorner<3, 3>() = (wider.asDiagonal() * P_.topLeftCorner<3, 3>() * wider.asDiagonal()).eval();
   P_(6, 6) = squared(compass_.bias_sigma_rad);
   P_.topRightCorner<3, kStates - 3>().setZero();

@@ -11,6 +11,8 @@ namespace {
 /// The centre keeps this far from what the light bumper saw: the body less the error of pose and range, so
 /// that a gap that might do is tried, and touch decides.
 constexpr double kClearance_m = 0.150;
+/// And at last, where nothing else is left to try.
+constexpr double kTightClearance_m = 0.130;
 constexpr double kComfort_m = 0.205;
 /// The box searched for a way: round robot and target by these, one after the other.
 constexpr double kNear_m = 0.8;
@@ -21,12 +23,13 @@ constexpr int kPlansHome = 20;
 /// A corner is rounded when the robot is this near.
 constexpr double kCorner_m = 0.03;
 
-PlanRequest request_for(const Vec2& start, const Vec2& goal, double goal_radius_m, double margin_m) {
+PlanRequest request_for(const Vec2& start, const Vec2& goal, double goal_radius_m, double margin_m,
+                        double clearance_m) {
   const Vec2 margin{margin_m, margin_m};
   return {.start_M_m = start,
           .goal_M_m = goal,
           .goal_radius_m = goal_radius_m,
-          .clearance_m = kClearance_m,
+          .clearance_m = clearance_m,
           .comfort_m = kComfort_m,
           .low_M_m = start.cwiseMin(goal) - margin,
           .high_M_m = start.cwiseMax(goal) + margin};
@@ -39,7 +42,7 @@ std::vector<Vec2> TileMover::way_to(Tile target) const {
   const double goal_radius_m = config_.read_radius_m - 0.03;
   for (const double margin_m : {kNear_m, kFar_m}) {
     const auto corners = plan_over_floor(navigator_.floor(),
-                                         request_for(navigator_.pose().p_m, goal, goal_radius_m, margin_m));
+                                         request_for(navigator_.pose().p_m, goal, goal_radius_m, margin_m, clearance_m_));
     if (!corners.empty()) {
       return corners;
     }
@@ -47,7 +50,8 @@ std::vector<Vec2> TileMover::way_to(Tile target) const {
   return {};
 }
 
-Task<MoveEnd> TileMover::detour(Tile target) {
+Task<MoveEnd> TileMover::detour(Tile target, Squeeze squeeze) {
+  clearance_m_ = squeeze == Squeeze::kYes ? kTightClearance_m : kClearance_m;
   ++log_.counts.detours;
   log_.add(io_.sensed.stamp, MissionEventKind::kDetourBegun, target);
   co_await settle();
@@ -130,7 +134,7 @@ Task<std::optional<MoveEnd>> TileMover::walk(Tile target, std::vector<Vec2> corn
         co_return std::nullopt;
       }
       if (navigator_.floor().revision() != revision &&
-          navigator_.floor().blocks(navigator_.pose().p_m, corner, kClearance_m - 0.01)) {
+          navigator_.floor().blocks(navigator_.pose().p_m, corner, clearance_m_ - 0.01)) {
         co_await pilot_.brake();
         co_return std::nullopt;
       }

@@ -20,6 +20,9 @@ enum class MoveEnd : std::uint8_t {
   kLost,       ///< no tag found anywhere near
 };
 
+/// Whether a detour leads through gaps that look a little too narrow.
+enum class Squeeze : std::uint8_t { kNo, kYes };
+
 /// Carries the robot from tag to tag, by straight moves between neighbours or by a detour, and keeps the
 /// map's tags and tiles true: a tag counts as visited when the antenna has read it where it should be.
 class TileMover {
@@ -33,7 +36,7 @@ class TileMover {
   /// Drives to a neighbour of at(). Returns rolling when it arrives, so that a straight run needs no stop.
   Task<MoveEnd> go(Tile target);
   /// Goes to `target` by any way the floor may offer.
-  Task<MoveEnd> detour(Tile target);
+  Task<MoveEnd> detour(Tile target, Squeeze squeeze);
   /// Turns to both sides and back, so that the light bumper has seen everything round the robot.
   Task<> look_round();
   /// Lost: looks for any tag in growing rings, farther than a move does. \returns false when none was found
@@ -105,6 +108,7 @@ class TileMover {
   bool write_pending_{false};
   bool write_in_flight_{false};
   int write_attempts_{0};
+  double clearance_m_{0.0};  ///< of the present detour
 };
 
 }  // namespace sensotwin::robot

@@ -14,9 +14,9 @@ namespace sensotwin::robot {
 /// A named stream of random numbers.
 ///
 /// A child depends on its parent's seed and its own name, never on the order of creation or on how much
-/// others drew: adding a sensor moves nobody else's noise. Counter-based (Philox 4x32-10, Salmon et al., SC'11,
-/// from Random123), so that equal (seed, name, draw number) give equal numbers on every machine.
-/// The normal law is our own Box-Muller because std::normal_distribution differs between standard libraries.
+/// others drew: adding a sensor moves nobody else's noise. Counter-based (Philox 4x32-10, Salmon et al.,
+/// SC'11, from Random123), so that equal (seed, name, draw number) give equal numbers on every machine. The
+/// normal law is our own Box-Muller because std::normal_distribution differs between standard libraries.
 class RandomStream {
  public:
   constexpr explicit RandomStream(std::uint64_t seed) : seed_(seed) {}

@@ -11,10 +11,10 @@ namespace sensotwin::robot {
 
 /// A behaviour written as the paper writes it: in sequence, awaiting the next control step where time passes.
 ///
-/// `Task<T>` is a lazy coroutine: it starts when awaited, and hands its result to whoever awaits it. The innermost
-/// one waits on a `StepSignal`; the control loop calls `StepSignal::resume()` once per step. No threads, no
-/// scheduler: a step runs exactly until the next `co_await step`. Destroying the outermost task destroys the whole
-/// stack of behaviours.
+/// `Task<T>` is a lazy coroutine: it starts when awaited, and hands its result to whoever awaits it. The
+/// innermost one waits on a `StepSignal`; the control loop calls `StepSignal::resume()` once per step. No
+/// threads, no scheduler: a step runs exactly until the next `co_await step`. Destroying the outermost task
+/// destroys the whole stack of behaviours.
 template <class T = void>
 class Task;
 

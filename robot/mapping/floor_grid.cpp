@@ -11,8 +11,8 @@ namespace {
 constexpr std::uint8_t kEvidenceMask = 0x0F;
 constexpr std::uint8_t kForbidden = 0x10;
 constexpr std::uint8_t kSwept = 0x20;
-/// A hit counts twice, a beam that went through once: a leg is seen by few of the beams that pass near it. Two hits
-/// are needed, so that one stray reading moves nothing.
+/// A hit counts twice, a beam that went through once: a leg is seen by few of the beams that pass near it.
+/// Two hits are needed, so that one stray reading moves nothing.
 constexpr int kHitWeight = 2;
 constexpr std::uint8_t kEvidenceNeeded = 4;
 

@@ -11,8 +11,8 @@
 
 namespace sensotwin::robot {
 
-/// What the robot has felt of the floor, finer than tiles: squares of 2.5 cm in M, each with the evidence that
-/// something stands there. The body's own sweep is the strongest evidence that nothing does.
+/// What the robot has felt of the floor, finer than tiles: squares of 2.5 cm in M, each with the evidence
+/// that something stands there. The body's own sweep is the strongest evidence that nothing does.
 ///
 /// Chosen 2.5 cm: a table leg covers two cells, and the pose is known to one or two centimetres.
 class FloorGrid {
@@ -25,7 +25,8 @@ class FloorGrid {
   };
 
   [[nodiscard]] static Cell cell_at(const Vec2& p_M_m) {
-    return {static_cast<int>(std::floor(p_M_m.x() / kCell_m)), static_cast<int>(std::floor(p_M_m.y() / kCell_m))};
+    return {static_cast<int>(std::floor(p_M_m.x() / kCell_m)),
+            static_cast<int>(std::floor(p_M_m.y() / kCell_m))};
   }
   [[nodiscard]] static Vec2 centre_m(Cell c) { return {(c.x + 0.5) * kCell_m, (c.y + 0.5) * kCell_m}; }
 

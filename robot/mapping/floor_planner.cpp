@@ -158,14 +158,15 @@ std::vector<Cell> search(const CostField& field, const PlanRequest& request) {
   return {};
 }
 
-/// True when the straight way between the two cells costs no more than comfortable cells do, or is free at all when
-/// both ends are already in the rim.
+/// True when the straight way between the two cells costs no more than comfortable cells do, or is free at
+/// all when both ends are already in the rim.
 bool sees(const CostField& field, Cell a, Cell b) {
   const int steps = std::max(std::abs(b.x - a.x), std::abs(b.y - a.y)) * 2;
   const float limit = std::max(field.cost(a) == kFar ? 1.0F : field.cost(a), field.cost(b));
   for (int i = 1; i < steps; ++i) {
     const double t = static_cast<double>(i) / steps;
-    const Cell c{static_cast<int>(std::lround(a.x + t * (b.x - a.x))), static_cast<int>(std::lround(a.y + t * (b.y - a.y)))};
+    const Cell c{static_cast<int>(std::lround(a.x + t * (b.x - a.x))),
+                 static_cast<int>(std::lround(a.y + t * (b.y - a.y)))};
     if (!field.inside(c) || field.cost(c) > limit) {
       return false;
     }

@@ -24,8 +24,8 @@ struct PlanRequest {
 };
 
 /// A* on the cells of the grid (eight neighbours), shortened to corner points that see each other.
-/// \returns corner points from the start (exclusive) to the goal region; empty when there is no way in the box.
-/// Cost: one distance transform and one search over the box.
+/// \returns corner points from the start (exclusive) to the goal region; empty when there is no way in the
+/// box. Cost: one distance transform and one search over the box.
 [[nodiscard]] std::vector<Vec2> plan_over_floor(const FloorGrid& grid, const PlanRequest& request);
 
 }  // namespace sensotwin::robot

@@ -13,7 +13,7 @@ namespace sensotwin::robot {
 /// The six infrared beams in the bumper: where each looks, and how far away the thing is that answers.
 struct LightBumper {
   /// Direction of each beam in R, left to right.
-  std::array<double, 6> yaw_R_rad{rad_from_deg(65), rad_from_deg(38), rad_from_deg(14),
+  std::array<double, 6> yaw_R_rad{rad_from_deg(65),  rad_from_deg(38),  rad_from_deg(14),
                                   rad_from_deg(-14), rad_from_deg(-38), rad_from_deg(-65)};
   double shell_radius_m{0.17};
   /// signal = full * (near / (near + range))^2: intensity of a diffuse surface, saturating at contact.

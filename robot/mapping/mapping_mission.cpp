@@ -13,11 +13,12 @@ namespace {
 
 /// Standing still on the first tag, so that what is seen is seen twice.
 constexpr Duration kFirstLook = std::chrono::milliseconds{700};
-/// A tile with so many visited neighbours that could not be entered is more likely a mistake than a pillar: it is tried
-/// again at the end, from so many sides.
+/// A tile with so many visited neighbours that could not be entered is more likely a mistake than a pillar:
+/// it is tried again at the end, from so many sides.
 constexpr int kDoubtfulSides = 3;
 constexpr int kDoubtfulTries = 2;
-/// Cells of the floor grid that something stood in, in a tile that holds a pillar: a side of it, half a metre. Chosen.
+/// Cells of the floor grid that something stood in, in a tile that holds a pillar: a side of it, half a
+/// metre. Chosen.
 constexpr int kSolidCells = 16;
 
 bool direct_neighbours(Tile a, Tile b) {
@@ -83,6 +84,7 @@ Task<bool> MappingMission::perform(Move move) {
   } else if (end == MoveEnd::kLost) {
     const bool found = co_await mover_.recover();
     if (!found) {
+      log_.add(io_.sensed.stamp, MissionEventKind::kLost, mover_.at());
       co_return false;
     }
   }

@@ -16,8 +16,9 @@
 
 namespace sensotwin::robot {
 
-/// SensoBot's first job (section III.A): find every tag of the carpet, write its coordinates into it, draw the floor
-/// plan. One object, stepped once per Open Interface frame; the same on the machine and in the twin.
+/// SensoBot's first job (section III.A): find every tag of the carpet, write its coordinates into it, draw
+/// the floor plan. One object, stepped once per Open Interface frame; the same on the machine and in the
+/// twin.
 ///
 /// Neither copies nor moves: its behaviours hold references into it.
 class MappingMission {
@@ -44,7 +45,8 @@ class MappingMission {
   Task<> run();
   /// Does a move and writes its outcome into the map. \returns false when the robot is lost for good
   Task<bool> perform(Move move);
-  /// Tries tiles once more that were given up or blocked against the look of things. \returns true when one was reached
+  /// Tries tiles once more that were given up or blocked against the look of things. \returns true when one
+  /// was reached
   Task<bool> try_doubtful();
   [[nodiscard]] std::optional<Tile> next_doubtful();
   [[nodiscard]] bool looks_solid(Tile tile) const;
@@ -59,7 +61,7 @@ class MappingMission {
   Navigator navigator_;
   Pilot pilot_;
   TileMover mover_;
-  std::set<Tile> no_tag_;       ///< where the way was free and no tag was found
+  std::set<Tile> no_tag_;  ///< where the way was free and no tag was found
   std::set<Tile> tried_again_;
   bool finished_{false};
   bool succeeded_{false};

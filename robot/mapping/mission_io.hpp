@@ -33,7 +33,8 @@ struct Sensed {
   std::array<std::uint16_t, 6> light_bump{};
   /// A new compass reading: counter-clockwise angle of the robot's nose from magnetic north.
   std::optional<double> compass_rad;
-  /// The floor antenna's reader noticed in this step that a tag left the field, that one came, which one it is.
+  /// The floor antenna's reader noticed in this step that a tag left the field, that one came, which one it
+  /// is.
   bool tag_left{false};
   bool tag_entered{false};
   std::optional<TagUid> tag_identified;

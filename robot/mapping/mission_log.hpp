@@ -11,18 +11,19 @@
 namespace sensotwin::robot {
 
 enum class MissionEventKind : std::uint8_t {
-  kTileFound,       ///< first visit: tile, tag
-  kTileWritten,     ///< coordinates verified in the tag
-  kWriteFailed,     ///< given up writing this tag
-  kPassageSeen,     ///< blocked by what the light bumper saw, not tried
-  kPassageBumped,   ///< blocked by touch
-  kTagMissed,       ///< drove over the place of a tag without reading one
-  kTagRecovered,    ///< found it by searching
-  kTagGivenUp,      ///< searched and found none: no tag there
+  kTileFound,      ///< first visit: tile, tag
+  kTileWritten,    ///< coordinates verified in the tag
+  kWriteFailed,    ///< given up writing this tag
+  kPassageSeen,    ///< blocked by what the light bumper saw, not tried
+  kPassageBumped,  ///< blocked by touch
+  kTagMissed,      ///< drove over the place of a tag without reading one
+  kTagRecovered,   ///< found it by searching
+  kTagGivenUp,     ///< searched and found none: no tag there
   kDetourBegun,
   kDetourDone,
-  kUnreachable,     ///< no way left to this tile
-  kDisplaced,       ///< read a known tag elsewhere than expected
+  kUnreachable,  ///< no way left to this tile
+  kDisplaced,    ///< read a known tag elsewhere than expected
+  kLost,         ///< no known tag was found again: the mission ends here
   kDone,
 };
 
@@ -35,9 +36,9 @@ struct MissionEvent {
 
 /// What the mission counts as it goes.
 struct MissionCounts {
-  int visits{0};          ///< tags driven over, every time (physical S_T)
-  int moves{0};           ///< tile moves begun
-  int moves_missed{0};    ///< of them: the tag was not read in passing
+  int visits{0};        ///< tags driven over, every time (physical S_T)
+  int moves{0};         ///< tile moves begun
+  int moves_missed{0};  ///< of them: the tag was not read in passing
   int misses_recovered{0};
   int bumps{0};
   int quarter_turns{0};

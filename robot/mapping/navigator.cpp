@@ -8,7 +8,8 @@ namespace {
 
 /// A rim crossed slower than this says when, not where. Chosen: one cell of the floor grid a second.
 constexpr double kRimSpeed_mps = 0.025;
-/// The grid is refreshed after this much travel or turn: half a cell, and what moves a beam's end by half a cell.
+/// The grid is refreshed after this much travel or turn: half a cell, and what moves a beam's end by half a
+/// cell.
 constexpr double kLookStep_m = 0.0125;
 constexpr double kLookStep_rad = 0.04;
 /// And standing still every so many steps, 0.3 s.
@@ -18,8 +19,8 @@ constexpr double kSweepMargin_m = 0.03;
 /// Placed by hand over a tag: within the zone, square to the tiles within a few degrees.
 constexpr double kPlacedSigma_m = 0.03;
 constexpr double kPlacedYawSigma_rad = 0.05;
-/// Found farther off than the widest search leads, the robot was carried there: its heading is not to blame, and is
-/// kept. Chosen: a tile and a half; who carries it may turn it by some degrees.
+/// Found farther off than the widest search leads, the robot was carried there: its heading is not to blame,
+/// and is kept. Chosen: a tile and a half; who carries it may turn it by some degrees.
 constexpr double kCarried_m = 0.76;
 constexpr double kCarriedYawSigma_rad = 0.10;
 
@@ -62,7 +63,8 @@ void Navigator::sense_obstacles(const Sensed& sensed) {
     swept_at_m_ = X_MR.p_m;
   }
   if ((X_MR.p_m - looked_at_m_).norm() < kLookStep_m &&
-      std::abs(wrap_angle(X_MR.yaw_rad - looked_yaw_rad_)) < kLookStep_rad && ++steps_since_look_ < kLookSteps) {
+      std::abs(wrap_angle(X_MR.yaw_rad - looked_yaw_rad_)) < kLookStep_rad &&
+      ++steps_since_look_ < kLookSteps) {
     return;
   }
   steps_since_look_ = 0;
@@ -93,7 +95,8 @@ void Navigator::sense_tag(const Sensed& sensed) {
   const bool rolling = std::abs(speed_mps_) > kRimSpeed_mps;
   const double late_m = speed_mps_ * config_.rim_delay_s;
   if (sensed.tag_left && in_field_) {
-    if (const auto tile = uid_ ? map_.tile_of(*uid_) : std::nullopt; tile && entered_ && rolling && near(*tile)) {
+    if (const auto tile = uid_ ? map_.tile_of(*uid_) : std::nullopt;
+        tile && entered_ && rolling && near(*tile)) {
       filter_.leave_zone(zone_of(*tile), late_m);
     }
     in_field_ = entered_ = entry_usable_ = false;

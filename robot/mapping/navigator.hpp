@@ -22,7 +22,9 @@ class Navigator {
   void sense(const Sensed& sensed);
 
   /// Middle of a tile, where its tag is, in M.
-  [[nodiscard]] Vec2 centre_m(Tile tile) const { return {tile.column * config_.tile_m, tile.row * config_.tile_m}; }
+  [[nodiscard]] Vec2 centre_m(Tile tile) const {
+    return {tile.column * config_.tile_m, tile.row * config_.tile_m};
+  }
   [[nodiscard]] Tile nearest_tile(const Vec2& p_M_m) const;
   [[nodiscard]] const Pose2& pose() const { return filter_.pose(); }
   [[nodiscard]] PoseFilter& filter() { return filter_; }
@@ -52,8 +54,8 @@ class Navigator {
   /// Half a tile is 2.3 standard deviations then.
   static constexpr double kTellTiles = 0.22;
   [[nodiscard]] ReadZone zone_of(Tile tile) const;
-  /// The robot believes itself on this tile: what its tag's rim says of the pose can be taken at its word. A tag read
-  /// farther off says that the robot is elsewhere, which is for relocate() to set right.
+  /// The robot believes itself on this tile: what its tag's rim says of the pose can be taken at its word. A
+  /// tag read farther off says that the robot is elsewhere, which is for relocate() to set right.
   [[nodiscard]] bool near(Tile tile) const;
   void sense_motion(const Sensed& sensed);
   void sense_obstacles(const Sensed& sensed);
@@ -71,8 +73,8 @@ class Navigator {
   bool in_field_{false};
   std::optional<TagUid> uid_;
   std::optional<TagUid> identified_;
-  bool entered_{false};        ///< rolling, so that the place of entry is known
-  bool entry_usable_{false};   ///< and not yet used
+  bool entered_{false};       ///< rolling, so that the place of entry is known
+  bool entry_usable_{false};  ///< and not yet used
 };
 
 }  // namespace sensotwin::robot

@@ -7,8 +7,8 @@
 namespace sensotwin::robot {
 namespace {
 
-/// Line law w = -K (psi + atan(e / L)): the prototype's K, and an L of half a tile so that a 3 cm error is gone within
-/// a tile (algorithms study, A.4).
+/// Line law w = -K (psi + atan(e / L)): the prototype's K, and an L of half a tile so that a 3 cm error is
+/// gone within a tile (algorithms study, A.4).
 constexpr double kTurnGain_1ps = 4.0;
 constexpr double kLookahead_m = 0.20;
 constexpr double kFollowTurnMax_radps = 1.5;
@@ -16,6 +16,10 @@ constexpr double kFollowTurnMax_radps = 1.5;
 constexpr double kTurnDone_rad = 0.009;
 /// Slowest useful turn: the wheels' speed steps are 28.5 mm/s (Open Interface, opcode 137), 0.24 rad/s.
 constexpr double kTurnMin_radps = 0.25;
+/// Pulling free of what holds the shell: so fast, so long at a time, so often.
+constexpr double kBreakFree_mps = 0.25;
+constexpr Duration kBreakFreeFor = std::chrono::milliseconds{600};
+constexpr int kBreakFreeTries = 12;
 /// Facing this far off the way it should take, the robot first turns on the spot.
 constexpr double kTurnFirst_rad = 0.5;
 
@@ -69,7 +73,8 @@ Task<> Pilot::turn_to(double yaw_M_rad) {
     }
     // Half the deceleration the ramp could give: the wheels answer a step late.
     const double fastest = std::sqrt(config_.turn_acceleration_radps2 * std::abs(left_rad));
-    const double wanted = std::copysign(std::clamp(fastest, kTurnMin_radps, config_.pace.turn_radps), left_rad);
+    const double wanted =
+        std::copysign(std::clamp(fastest, kTurnMin_radps, config_.pace.turn_radps), left_rad);
     const double most = config_.turn_acceleration_radps2 * to_s(kTick);
     turn_radps += std::clamp(wanted - turn_radps, -most, most);
     command(0.0, turn_radps);
@@ -86,6 +91,21 @@ Task<> Pilot::wait_until(Instant when) {
   }
 }
 
+Task<> Pilot::break_free() {
+  // Still pressed after having backed away: the shell is wedged between two things. One wheel at a time pulls
+  // and turns at once, which the two of them together do not.
+  for (int i = 0; i < kBreakFreeTries && bumped(); ++i) {
+    const double speed = (i / 2) % 2 == 0 ? -kBreakFree_mps : kBreakFree_mps;
+    const Instant until = io_.sensed.stamp + kBreakFreeFor;
+    while (io_.sensed.stamp < until && bumped()) {
+      io_.command.wheels = i % 2 == 0 ? WheelSpeeds{speed, 0.0} : WheelSpeeds{0.0, speed};
+      co_await io_.next;
+    }
+  }
+  command(0.0, 0.0);
+  co_await io_.next;
+}
+
 Task<> Pilot::back_along(Line line, double until_m, double left_m) {
   co_await brake();
   for (;;) {
@@ -97,6 +117,9 @@ Task<> Pilot::back_along(Line line, double until_m, double left_m) {
     co_await io_.next;
   }
   co_await brake();
+  if (bumped()) {
+    co_await break_free();
+  }
 }
 
 }  // namespace sensotwin::robot

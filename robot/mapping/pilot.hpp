@@ -29,14 +29,15 @@ struct StepIo {
   StepSignal next;
 };
 
-/// Moves the robot: turns, drives along lines, brakes. The behaviours are coroutines that end when the motion has.
+/// Moves the robot: turns, drives along lines, brakes. The behaviours are coroutines that end when the motion
+/// has.
 class Pilot {
  public:
   Pilot(const MappingConfig& config, Navigator& navigator, StepIo& io)
       : config_(config), navigator_(navigator), io_(io) {}
 
-  /// One step along a line: sets the wheel command. \param speed_mps  towards which the speed is ramped; negative
-  /// drives backwards. \param left_m  how far to the left of the line to stay
+  /// One step along a line: sets the wheel command. \param speed_mps  towards which the speed is ramped;
+  /// negative drives backwards. \param left_m  how far to the left of the line to stay
   void follow(const Line& line, double speed_mps, double left_m);
   /// The speed from which the robot still stops within `distance_m`.
   [[nodiscard]] double stopping_speed_mps(double distance_m) const;
@@ -44,6 +45,8 @@ class Pilot {
   Task<> brake();
   Task<> turn_to(double yaw_M_rad);
   Task<> wait_until(Instant when);
+  /// Works the wheels one by one until the bumper lets go, a few seconds at most.
+  Task<> break_free();
   /// Backs along `line` until along_m <= `until_m`.
   Task<> back_along(Line line, double until_m, double left_m);
 

@@ -7,15 +7,16 @@
 namespace sensotwin::robot {
 namespace {
 
-/// Beliefs kept at most, and the weight (of the best one's) below which one is dropped. Chosen: three undecided passes
-/// make eight images; those below one in two hundred were never right in 10 000 simulated passes.
+/// Beliefs kept at most, and the weight (of the best one's) below which one is dropped. Chosen: three
+/// undecided passes make eight images; those below one in two hundred were never right in 10 000 simulated
+/// passes.
 constexpr std::size_t kBeliefs = 6;
 const double kNegligible = std::log(1.0 / 200.0);
 /// Beliefs closer than this are one.
 constexpr double kSame_m = 0.012;
 constexpr double kSame_rad = 0.02;
-/// Below this the two mirror images are one, and the pass was within this of the middle: q^2 = r^2 - h^2 is known to
-/// 2 h 3 mm = (2.2 cm)^2.
+/// Below this the two mirror images are one, and the pass was within this of the middle: q^2 = r^2 - h^2 is
+/// known to 2 h 3 mm = (2.2 cm)^2.
 constexpr double kOffMiddle_m = 0.022;
 /// A belief that gave a reading less than this is wrong, not unlucky: about five standard deviations of 1 cm.
 constexpr double kSurprise = -0.5 * 25.0 + 4.6;
@@ -86,7 +87,8 @@ void PoseFilter::identify_zone(const ReadZone& zone) {
   settle_weights();
 }
 
-void PoseFilter::correct_chord(Belief& belief, const ReadZone& zone, double late_m, std::vector<Belief>& out) const {
+void PoseFilter::correct_chord(Belief& belief, const ReadZone& zone, double late_m,
+                               std::vector<Belief>& out) const {
   const Vec2 late = late_m * belief.track.pose().direction();
   const Vec2 chord = belief.track.since_mark_m() - late;
   const double half = chord.norm() / 2.0;
@@ -148,7 +150,8 @@ void PoseFilter::find_at(const ReadZone& zone) {
   for (Belief& belief : beliefs_) {
     belief.track.doubt(kDoubt);
     for (const Vec2& axis : {Vec2{1.0, 0.0}, Vec2{0.0, 1.0}}) {
-      belief.log_weight += belief.track.correct_position(axis, axis.dot(zone.tag_M_m), kSomewhereInZone * zone.radius_m);
+      belief.log_weight +=
+          belief.track.correct_position(axis, axis.dot(zone.tag_M_m), kSomewhereInZone * zone.radius_m);
     }
   }
   settle_weights();

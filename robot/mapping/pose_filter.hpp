@@ -12,17 +12,18 @@ namespace sensotwin::robot {
 struct ReadZone {
   Vec2 tag_M_m{0.0, 0.0};
   double radius_m{0.08};
-  double rim_sigma_m{0.003};   ///< how well a crossing of the rim is timed, as a distance
-  double tag_sigma_m{0.005};   ///< how well the tag was laid
+  double rim_sigma_m{0.003};  ///< how well a crossing of the rim is timed, as a distance
+  double tag_sigma_m{0.005};  ///< how well the tag was laid
 };
 
 /// Where the robot is on its own map: a few beliefs (PoseTrack) with weights.
 ///
-/// A reader says when a tag comes and goes, not on which side it passes. The way between the two rim crossings is a
-/// chord of the zone, known to millimetres from the encoders; half its length h puts the tag at
-/// q = sqrt(radius^2 - h^2) beside its middle, to the left or to the right. So the end of a pass fixes the place along
-/// the way, and the place across it up to a mirror image. Each belief splits in two; what comes next (another chord,
-/// a tag that does not answer) tells which was right. Passing tags off their middle on purpose keeps the images apart.
+/// A reader says when a tag comes and goes, not on which side it passes. The way between the two rim
+/// crossings is a chord of the zone, known to millimetres from the encoders; half its length h puts the tag
+/// at q = sqrt(radius^2 - h^2) beside its middle, to the left or to the right. So the end of a pass fixes the
+/// place along the way, and the place across it up to a mirror image. Each belief splits in two; what comes
+/// next (another chord, a tag that does not answer) tells which was right. Passing tags off their middle on
+/// purpose keeps the images apart.
 class PoseFilter {
  public:
   PoseFilter(const OdometryModel& odometry, const CompassModel& compass);
@@ -38,8 +39,8 @@ class PoseFilter {
   void leave_zone(const ReadZone& zone, double late_m);
   /// The robot has driven along `along_M` past the place of a tag that should have answered, and none did.
   void miss_zone(const ReadZone& zone, const Vec2& along_M);
-  /// The antenna is over this tag, somewhere in its zone, though no belief expected it: all are doubted, then drawn
-  /// there. How far off they were also tells how wrong the heading was.
+  /// The antenna is over this tag, somewhere in its zone, though no belief expected it: all are doubted, then
+  /// drawn there. How far off they were also tells how wrong the heading was.
   void find_at(const ReadZone& zone);
   /// \param reading_rad  counter-clockwise from north
   void correct_by_compass(double reading_rad);

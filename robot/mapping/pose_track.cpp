@@ -7,7 +7,8 @@
 namespace sensotwin::robot {
 namespace {
 
-/// The covariance is carried forward after this much travel or turn: small against the centimetres that matter.
+/// The covariance is carried forward after this much travel or turn: small against the centimetres that
+/// matter.
 constexpr double kCovarianceStep_m = 0.02;
 constexpr double kCovarianceStep_rad = 0.05;
 /// A heading is doubted up to this: what the compass leaves open, twice.
@@ -77,7 +78,8 @@ void PoseTrack::propagate_covariance() {
   P_(1, 1) += along * s * s + across * c * c;
   P_(0, 1) += (along - across) * c * s;
   P_(1, 0) += (along - across) * c * s;
-  P_(2, 2) += squared(model_.heading_sigma_rad) * pending_abs_m_ + squared(model_.turn_sigma_rad) * pending_abs_rad_;
+  P_(2, 2) +=
+      squared(model_.heading_sigma_rad) * pending_abs_m_ + squared(model_.turn_sigma_rad) * pending_abs_rad_;
   P_(6, 6) += squared(compass_.bias_sigma_rad) * (1.0 - same * same) +
               squared(compass_.turn_bias_sigma_rad) * pending_abs_rad_;
   pending_m_ = pending_abs_m_ = pending_rad_ = pending_abs_rad_ = 0.0;

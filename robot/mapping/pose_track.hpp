@@ -9,32 +9,34 @@ namespace sensotwin::robot {
 
 /// What the robot believes of its own wheels, and how far it trusts them.
 struct OdometryModel {
-  double wheel_base_m{0.235};                                 ///< Create 2 Open Interface 2016, packet 20
-  double metres_per_count{kPi * 0.0720 / 508.8};              ///< same, packet 43
-  /// One sigma at the start of a run, of what stays the same through it. "After calibration 1 % and 1 to 2 degrees
-  /// per quarter turn" (algorithms study, C.2).
-  double scale_sigma{0.01};                                   ///< travelled / counted distance - 1
-  double turn_scale_sigma{0.02};                              ///< turned / counted angle - 1
-  double curvature_sigma_rad_per_m{0.02};                     ///< unequal wheels: turn per metre driven straight
+  double wheel_base_m{0.235};                     ///< Create 2 Open Interface 2016, packet 20
+  double metres_per_count{kPi * 0.0720 / 508.8};  ///< same, packet 43
+  /// One sigma at the start of a run, of what stays the same through it. "After calibration 1 % and 1 to 2
+  /// degrees per quarter turn" (algorithms study, C.2).
+  double scale_sigma{0.01};                ///< travelled / counted distance - 1
+  double turn_scale_sigma{0.02};           ///< turned / counted angle - 1
+  double curvature_sigma_rad_per_m{0.02};  ///< unequal wheels: turn per metre driven straight
   /// One sigma of what changes: per square root of a metre, and per square root of a radian turned.
   double along_sigma_m{0.008};
   double across_sigma_m{0.010};
   double heading_sigma_rad{0.020};
   double turn_sigma_rad{0.03};
-  /// One sigma of what changes in one control step of touching something: the wheels go on, the body is held and turned.
+  /// One sigma of what changes in one control step of touching something: the wheels go on, the body is held
+  /// and turned.
   double touch_sigma_m{0.004};
   double touch_sigma_rad{0.02};
 };
 
-/// What the robot believes of its compass: noise, and a bias by the iron nearby that changes from place to place about
-/// what it was at the start (a Gauss-Markov process over the way driven).
+/// What the robot believes of its compass: noise, and a bias by the iron nearby that changes from place to
+/// place about what it was at the start (a Gauss-Markov process over the way driven).
 struct CompassModel {
-  double noise_sigma_rad{0.026};   ///< 1.5 degrees. Chosen: 1 degree of the element, and vibration
-  /// "5 degrees of spatial distortion" (algorithms study, C.2), and the way over which it becomes another. Chosen: 1 m,
-  /// the size of a radiator or a steel table frame.
+  double noise_sigma_rad{0.026};  ///< 1.5 degrees. Chosen: 1 degree of the element, and vibration
+  /// "5 degrees of spatial distortion" (algorithms study, C.2), and the way over which it becomes another.
+  /// Chosen: 1 m, the size of a radiator or a steel table frame.
   double bias_sigma_rad{0.087};
   double bias_length_m{1.0};
-  /// Per square root of a radian turned: what is left of the robot's own iron after calibration. Chosen: 1 degree.
+  /// Per square root of a radian turned: what is left of the robot's own iron after calibration. Chosen: 1
+  /// degree.
   double turn_bias_sigma_rad{0.017};
 };
 
@@ -49,14 +51,16 @@ struct CompassModel {
 ///     d = (l + r)/2 (1 + scale),  dyaw = (r - l)/b (1 + turn_scale) + curvature d,
 ///     x += d cos(yaw + dyaw/2),  y += d sin(yaw + dyaw/2).
 ///
-/// The compass measures yaw + bias, and the bias changes with the way driven: so the compass keeps the heading within a
-/// few degrees wherever the robot has been carried or pushed, and says much more of a turn on the spot, where the iron
-/// around stays the same.
+/// The compass measures yaw + bias, and the bias changes with the way driven: so the compass keeps the
+/// heading within a few degrees wherever the robot has been carried or pushed, and says much more of a turn
+/// on the spot, where the iron around stays the same.
 ///
-/// The mean moves at every call; the covariance follows in steps of two centimetres, linearised about the way taken.
+/// The mean moves at every call; the covariance follows in steps of two centimetres, linearised about the way
+/// taken.
 class PoseTrack {
  public:
-  PoseTrack(const OdometryModel& odometry, const CompassModel& compass) : model_(odometry), compass_(compass) {}
+  PoseTrack(const OdometryModel& odometry, const CompassModel& compass)
+      : model_(odometry), compass_(compass) {}
 
   /// Pose afresh, independent of what was believed before; the wheels' learned errors stay.
   void reset(const Pose2& X_MR, double position_sigma_m, double yaw_sigma_rad);
@@ -70,8 +74,8 @@ class PoseTrack {
   double correct_by_compass(double reading_rad);
   /// The body touches something in this control step.
   void touch();
-  /// Widens the pose by this factor on standard deviations, the heading to no more than the compass leaves open, and
-  /// forgets what ties the pose to the rest.
+  /// Widens the pose by this factor on standard deviations, the heading to no more than the compass leaves
+  /// open, and forgets what ties the pose to the rest.
   void doubt(double factor);
 
   [[nodiscard]] const Pose2& pose() const { return X_MR_; }

@@ -8,8 +8,8 @@
 namespace sensotwin::robot {
 namespace {
 
-/// The centre keeps this far from what the light bumper saw: the body less the error of pose and range, so that a gap
-/// that might do is tried, and touch decides.
+/// The centre keeps this far from what the light bumper saw: the body less the error of pose and range, so
+/// that a gap that might do is tried, and touch decides.
 constexpr double kClearance_m = 0.150;
 constexpr double kComfort_m = 0.205;
 /// The box searched for a way: round robot and target by these, one after the other.
@@ -18,7 +18,6 @@ constexpr double kFar_m = 3.0;
 /// A detour ends after so many plans; each one is spoilt by something newly felt.
 constexpr int kPlansMax = 60;
 constexpr int kPlansHome = 20;
-constexpr double kBackOff_m = 0.02;
 /// A corner is rounded when the robot is this near.
 constexpr double kCorner_m = 0.03;
 
@@ -39,8 +38,8 @@ std::vector<Vec2> TileMover::way_to(Tile target) const {
   const Vec2 goal = navigator_.centre_m(target);
   const double goal_radius_m = config_.read_radius_m - 0.03;
   for (const double margin_m : {kNear_m, kFar_m}) {
-    const auto corners =
-        plan_over_floor(navigator_.floor(), request_for(navigator_.pose().p_m, goal, goal_radius_m, margin_m));
+    const auto corners = plan_over_floor(navigator_.floor(),
+                                         request_for(navigator_.pose().p_m, goal, goal_radius_m, margin_m));
     if (!corners.empty()) {
       return corners;
     }
@@ -127,7 +126,7 @@ Task<std::optional<MoveEnd>> TileMover::walk(Tile target, std::vector<Vec2> corn
       if (pilot_.bumped() || pilot_.hazard()) {
         ++log_.counts.bumps;
         navigator_.remember_bump(pilot_.bump_side(), io_.sensed);
-        co_await pilot_.back_along(line, line.along_m(navigator_.pose().p_m) - kBackOff_m, 0.0);
+        co_await pilot_.back_along(line, line.along_m(navigator_.pose().p_m) - config_.back_off_m, 0.0);
         co_return std::nullopt;
       }
       if (navigator_.floor().revision() != revision &&
@@ -135,7 +134,8 @@ Task<std::optional<MoveEnd>> TileMover::walk(Tile target, std::vector<Vec2> corn
         co_await pilot_.brake();
         co_return std::nullopt;
       }
-      pilot_.follow(line, std::min(config_.careful_speed_mps, pilot_.stopping_speed_mps(left_to_go) + 0.02), 0.0);
+      pilot_.follow(line, std::min(config_.careful_speed_mps, pilot_.stopping_speed_mps(left_to_go) + 0.02),
+                    0.0);
       co_await io_.next;
     }
   }

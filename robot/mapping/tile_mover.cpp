@@ -8,16 +8,12 @@
 namespace sensotwin::robot {
 namespace {
 
-/// Something standing closer than this to the straight way to a neighbour stops the body (0.17 m) even if the robot's
-/// idea of its own place is 3.5 cm wrong.
-constexpr double kSureClearance_m = 0.135;
 /// Room beside the body that a straight way should have.
 constexpr double kEasyClearance_m = 0.185;
 /// A one-sided bump moves the aim away from that side by this much, so many times.
 constexpr double kNudge_m = 0.015;
 constexpr int kNudges = 8;
 constexpr int kFutileNudges = 3;
-constexpr double kBackOff_m = 0.02;
 /// Progress between two bumps that counts as getting past something.
 constexpr double kProgress_m = 0.01;
 /// The antenna must stay this far inside the zone's rim to be sure of a read.
@@ -25,13 +21,10 @@ constexpr double kAimMargin_m = 0.02;
 /// A tag further than this from where the robot thinks it is cannot be the one it was driving to.
 constexpr double kBelieve_m = 0.25;
 constexpr int kWriteAttempts = 4;
-/// Places tried to find a tag again that the robot has just been on: its middle and six round it.
-constexpr int kRegainPoints = 7;
-/// Rings of a search, 11 cm apart: as far as a tag may be from where it was expected; and, when nothing was found, as
-/// far as the next tile's.
+/// Rings of a search, 11 cm apart: as far as a tag may be from where it was expected; and, when nothing was
+/// found, as far as the next tile's.
 constexpr int kSearchRings = 3;
 constexpr int kLostRings = 5;
-constexpr int kRecoverRings = 12;
 
 double yaw_of(Direction d) {
   return wrap_angle(static_cast<int>(d) * kPi / 2.0);
@@ -61,11 +54,13 @@ void TileMover::see_passages_of(Tile tile) {
     }
     const Line line = line_of(tile, d);
     const double reach = config_.tile_m - config_.read_radius_m;
-    if (navigator_.floor().blocks(line.from_M_m, line.from_M_m + reach * line.along(), kSureClearance_m)) {
+    if (navigator_.floor().blocks(line.from_M_m, line.from_M_m + reach * line.along(),
+                                  config_.sure_clearance_m)) {
       map_.mark_passage(tile, d, Passage::kBlocked);
       log_.add(io_.sensed.stamp, MissionEventKind::kPassageSeen, next);
     } else {
-      // The beams reach as far as a wall at the tile's border; what stands farther off is found by driving there.
+      // The beams reach as far as a wall at the tile's border; what stands farther off is found by driving
+      // there.
       map_.mark_passage(tile, d, Passage::kOpen);
     }
   }
@@ -162,7 +157,8 @@ Task<bool> TileMover::find_origin() {
   // The first tag found is the origin (SensoBot, III.A), wherever in its zone the antenna is.
   const double s = ahead.along_m(navigator_.pose().p_m);
   const bool moving = s > 0.02;
-  navigator_.filter().reset({moving ? Vec2{-(config_.read_radius_m - 0.02), 0.0} : Vec2{0.0, 0.0}, 0.0}, 0.03, 0.05);
+  navigator_.filter().reset({moving ? Vec2{-(config_.read_radius_m - 0.02), 0.0} : Vec2{0.0, 0.0}, 0.0}, 0.03,
+                            0.05);
   map_.mark_visited(Tile{}, tag);
   heading_ = Direction::kEast;
   arrive(Tile{}, tag, true);
@@ -170,8 +166,8 @@ Task<bool> TileMover::find_origin() {
 }
 
 Task<> TileMover::look_round() {
-  // The outer beams look 65 degrees aside: turns of 120 to either side show them all that is behind, corners included.
-  // As far left as right, so that what the wheels get wrong in turning cancels.
+  // The outer beams look 65 degrees aside: turns of 120 to either side show them all that is behind, corners
+  // included. As far left as right, so that what the wheels get wrong in turning cancels.
   const double ahead = navigator_.pose().yaw_rad;
   for (const double aside_deg : {120.0, 0.0, -120.0, 0.0}) {
     co_await pilot_.turn_to(wrap_angle(ahead + rad_from_deg(aside_deg)));
@@ -191,50 +187,6 @@ Task<> TileMover::settle() {
   }
   co_await pilot_.brake();
   co_await hold_for_write(at_);
-}
-
-Task<bool> TileMover::regain(Tile tile) {
-  // Rolled off the tag before it was written: back over its middle, then over a ring round it.
-  const Vec2 centre = navigator_.centre_m(tile);
-  const double yaw = navigator_.pose().yaw_rad;
-  if ((centre - navigator_.pose().p_m).dot(navigator_.pose().direction()) < 0.0) {
-    const Line line{centre, yaw};
-    co_await pilot_.back_along(line, 0.0, 0.0);
-  }
-  for (int i = 0; i < kRegainPoints && !navigator_.anything_in_field(); ++i) {
-    const double angle = yaw + kPi / 2.0 + 2.0 * kPi * i / (kRegainPoints - 1);
-    const double radius_m = i == 0 ? 0.0 : 0.75 * config_.read_radius_m;
-    const Vec2 place = centre + radius_m * Vec2{std::cos(angle), std::sin(angle)};
-    co_await creep_to(place, std::nullopt);
-  }
-  co_return navigator_.anything_in_field();
-}
-
-Task<> TileMover::hold_for_write(Tile tile) {
-  if (!write_pending_) {
-    co_return;
-  }
-  co_await pilot_.brake();
-  while (write_pending_) {
-    if (navigator_.tag_in_field() && navigator_.tag_in_field() != map_.tag_on(tile)) {
-      break;  // over another tag: carried off
-    }
-    if (!navigator_.anything_in_field()) {
-      const bool again = co_await regain(tile);
-      if (!again) {
-        break;
-      }
-    }
-    if (!write_in_flight_ && navigator_.tag_in_field() == map_.tag_on(tile)) {
-      begin_write(tile, *map_.tag_on(tile));
-    }
-    co_await io_.next;
-  }
-  if (write_pending_) {
-    write_pending_ = false;
-    ++log_.counts.writes_failed;
-    log_.add(io_.sensed.stamp, MissionEventKind::kWriteFailed, tile, map_.tag_on(tile).value_or(0));
-  }
 }
 
 Task<> TileMover::face(Direction d) {
@@ -272,14 +224,14 @@ Task<MoveEnd> TileMover::go(Tile target) {
   if (end == MoveEnd::kNoTag) {
     ++log_.counts.moves_missed;
     log_.add(io_.sensed.stamp, MissionEventKind::kTagMissed, target);
-    const std::optional<MoveEnd> found = co_await search(from, target, kSearchRings);
+    const std::optional<MoveEnd> found = co_await search(from, target, kSearchRings, TrustFloor::kYes);
     if (found) {
       ++log_.counts.misses_recovered;
       log_.add(io_.sensed.stamp, MissionEventKind::kTagRecovered, at_);
       co_return *found;
     }
     log_.add(io_.sensed.stamp, MissionEventKind::kTagGivenUp, target);
-    const std::optional<MoveEnd> back = co_await search(std::nullopt, from, kLostRings);
+    const std::optional<MoveEnd> back = co_await search(std::nullopt, from, kLostRings, TrustFloor::kNo);
     if (!back) {
       end = MoveEnd::kLost;
     } else if (*back != MoveEnd::kArrived) {
@@ -325,7 +277,7 @@ Task<MoveEnd> TileMover::roll(Tile from, Tile target, Direction d) {
       if (side == 0 || futile > kFutileNudges || ++nudges > kNudges) {
         co_return co_await give_way(from, line);
       }
-      co_await pilot_.back_along(line, s - kBackOff_m, aim);
+      co_await pilot_.back_along(line, s - config_.back_off_m, aim);
       continue;
     }
     if (s > give_up_m) {
@@ -341,75 +293,11 @@ Task<MoveEnd> TileMover::roll(Tile from, Tile target, Direction d) {
   }
 }
 
-Task<bool> TileMover::recover() {
-  const auto found = co_await search(std::nullopt, at_, kRecoverRings);
-  co_return found.has_value() && *found != MoveEnd::kLost;
-}
-
 Task<MoveEnd> TileMover::give_way(Tile from, Line line) {
   log_.add(io_.sensed.stamp, MissionEventKind::kPassageBumped, neighbour(from, heading_));
   co_await pilot_.back_along(line, 0.0, 0.0);
   co_await hold_for_write(from);
   co_return MoveEnd::kBlocked;
-}
-
-bool TileMover::over_tag_other_than(std::optional<Tile> tile) const {
-  const auto tag = navigator_.tag_in_field();
-  return tag && (!tile || map_.tile_of(*tag) != tile);
-}
-
-Task<bool> TileMover::creep_to(Vec2 p_M_m, std::optional<Tile> ignored) {
-  const Vec2 way = p_M_m - navigator_.pose().p_m;
-  if (way.norm() < 0.01 || over_tag_other_than(ignored)) {
-    co_return true;
-  }
-  const Line line{navigator_.pose().p_m, std::atan2(way.y(), way.x())};
-  co_await pilot_.turn_to(line.yaw_rad);
-  for (;;) {
-    const double left_to_go = way.norm() - line.along_m(navigator_.pose().p_m);
-    if (left_to_go < 0.01 || over_tag_other_than(ignored)) {
-      co_return true;
-    }
-    if (pilot_.bumped() || pilot_.hazard()) {
-      ++log_.counts.bumps;
-      navigator_.remember_bump(pilot_.bump_side(), io_.sensed);
-      co_await pilot_.back_along(line, line.along_m(navigator_.pose().p_m) - kBackOff_m, 0.0);
-      co_return false;
-    }
-    pilot_.follow(line, std::min(config_.careful_speed_mps, pilot_.stopping_speed_mps(left_to_go) + 0.02), 0.0);
-    co_await io_.next;
-  }
-}
-
-Task<std::optional<MoveEnd>> TileMover::search(std::optional<Tile> from, Tile target, int rings) {
-  // Rings of points round the place, a little less than a zone's width apart, nearest first.
-  const Vec2 around_M_m = navigator_.centre_m(target);
-  // Where the place is known too badly, a new tag might be anyone's: only known ones help.
-  const bool sure = !navigator_.uncertain();
-  const double first_yaw = navigator_.pose().yaw_rad + kPi / 2.0;
-  for (int ring = 0; ring <= rings; ++ring) {
-    const int points = ring == 0 ? 1 : 6 * ring;
-    const double radius_m = ring * config_.read_radius_m * 1.4;
-    for (int i = 0; i < points; ++i) {
-      const double angle = first_yaw + 2.0 * kPi * i / points;
-      const Vec2 p = around_M_m + radius_m * Vec2{std::cos(angle), std::sin(angle)};
-      if (navigator_.floor().blocks(p, p, kSureClearance_m)) {
-        continue;
-      }
-      co_await creep_to(p, from);
-      const auto tag = navigator_.tag_in_field();
-      if (tag && (sure || map_.tile_of(*tag))) {
-        const std::optional<MoveEnd> end = judge_tag(*tag, from, target);
-        if (end) {
-          co_await pilot_.brake();
-          navigator_.relocate(at_);
-          co_await hold_for_write(at_);
-          co_return end;
-        }
-      }
-    }
-  }
-  co_return std::nullopt;
 }
 
 }  // namespace sensotwin::robot

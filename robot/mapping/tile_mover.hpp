@@ -20,11 +20,12 @@ enum class MoveEnd : std::uint8_t {
   kLost,       ///< no tag found anywhere near
 };
 
-/// Carries the robot from tag to tag, by straight moves between neighbours or by a detour, and keeps the map's tags
-/// and tiles true: a tag counts as visited when the antenna has read it where it should be.
+/// Carries the robot from tag to tag, by straight moves between neighbours or by a detour, and keeps the
+/// map's tags and tiles true: a tag counts as visited when the antenna has read it where it should be.
 class TileMover {
  public:
-  TileMover(const MappingConfig& config, Navigator& navigator, TileMap& map, Pilot& pilot, StepIo& io, MissionLog& log)
+  TileMover(const MappingConfig& config, Navigator& navigator, TileMap& map, Pilot& pilot, StepIo& io,
+            MissionLog& log)
       : config_(config), navigator_(navigator), map_(map), pilot_(pilot), io_(io), log_(log) {}
 
   /// Drives ahead, then in growing squares, until the first tag is read: the origin.
@@ -40,7 +41,8 @@ class TileMover {
   /// Brings the robot to rest over the tag of at().
   Task<> settle();
 
-  /// Marks those passages of at() and of its visited neighbours blocked that the light bumper has seen something in.
+  /// Marks those passages of at() and of its visited neighbours blocked that the light bumper has seen
+  /// something in.
   void see_passages();
 
   /// The tile whose tag was read last.
@@ -61,24 +63,33 @@ class TileMover {
   Task<MoveEnd> give_way(Tile from, Line line);
   /// Looks for the tag of `target` round its place; that of `from` does not count. Any other tag ends the
   /// search too.
-  Task<std::optional<MoveEnd>> search(std::optional<Tile> from, Tile target, int rings);
-  [[nodiscard]] bool over_tag_other_than(std::optional<Tile> tile) const;
-  /// Straight and slowly to a point; stops at any tag but that of `ignored`. \returns false when something was in the
-  /// way
-  Task<bool> creep_to(Vec2 p_M_m, std::optional<Tile> ignored);
+  enum class TrustFloor : std::uint8_t { kYes, kNo };
+  Task<std::optional<MoveEnd>> search(std::optional<Tile> from, Tile target, int rings, TrustFloor trust);
+  /// Which tags end a creep: known ones but that of `ignored`, and new ones where the pose is good enough for
+  /// them.
+  struct TagWanted {
+    std::optional<Tile> ignored;
+    bool new_ones{true};
+  };
+  [[nodiscard]] bool over_wanted(const TagWanted& wanted) const;
+  /// Straight and slowly to a point; stops at a wanted tag. \returns false when something was in the way
+  Task<bool> creep_to(Vec2 p_M_m, TagWanted wanted);
   /// Back over the tag of at(), or of any known one. \returns false when none was found
   Task<bool> relocalise();
   [[nodiscard]] std::vector<Vec2> way_to(Tile target) const;
-  /// Plans and walks until the target's tag is read, nothing is left to try, or `plans_max` plans were spoilt.
+  /// Plans and walks until the target's tag is read, nothing is left to try, or `plans_max` plans were
+  /// spoilt.
   Task<MoveEnd> approach(Tile target, int plans_max);
-  /// Along the corners, slowly. \returns how it ended at a tag; nothing when the plan was spoilt or walked to its end
+  /// Along the corners, slowly. \returns how it ended at a tag; nothing when the plan was spoilt or walked to
+  /// its end
   Task<std::optional<MoveEnd>> walk(Tile target, std::vector<Vec2> corners);
   /// A tag met on the way of a detour: a new one is taken in, the target's ends the walk.
   std::optional<MoveEnd> pass_tag(TagUid tag, Tile target);
   Task<> hold_for_write(Tile tile);
   /// Back over the tag of `tile`. \returns false when nothing is in the field
   Task<bool> regain(Tile tile);
-  /// What the tag just read means for a move towards `target`; nothing while it is the one the robot came from.
+  /// What the tag just read means for a move towards `target`; nothing while it is the one the robot came
+  /// from.
   std::optional<MoveEnd> judge_tag(TagUid tag, std::optional<Tile> from, Tile target);
   void arrive(Tile tile, TagUid tag, bool first);
   void begin_write(Tile tile, TagUid tag);

@@ -71,10 +71,11 @@ void MappingProgram::keep_ready() {
   if (!state_) {
     return;
   }
-  // A hole or a lifted wheel makes the robot leave safe mode. It is armed again as soon as nothing forbids it, and the
-  // mission backs away from what it was. Off a home base only full mode drives.
-  const bool docked = state_->charging != oi::ChargingState::kNotCharging ||
-                      (state_->extended && (state_->extended->on_home_base || state_->extended->on_internal_charger));
+  // A hole or a lifted wheel makes the robot leave safe mode. It is armed again as soon as nothing forbids
+  // it, and the mission backs away from what it was. Off a home base only full mode drives.
+  const bool docked =
+      state_->charging != oi::ChargingState::kNotCharging ||
+      (state_->extended && (state_->extended->on_home_base || state_->extended->on_internal_charger));
   const bool lifted = state_->wheel_drop_left || state_->wheel_drop_right;
   const bool waiting = base_.status() == RoombaStatus::kModeLost || base_.status() == RoombaStatus::kStarting;
   if (docked && waiting && !undocking_) {

@@ -19,10 +19,10 @@ namespace sensotwin::robot {
 
 /// Where the devices are plugged in. All links outlive the program.
 struct MappingLinks {
-  ByteLink& base;           ///< Roomba, serial
-  CardLink& floor_reader;   ///< antenna under the robot
-  CardLink& forward_reader; ///< antenna in front
-  ByteLink& sensors;        ///< compass board, serial
+  ByteLink& base;            ///< Roomba, serial
+  CardLink& floor_reader;    ///< antenna under the robot
+  CardLink& forward_reader;  ///< antenna in front
+  ByteLink& sensors;         ///< compass board, serial
 };
 
 struct MappingProgramConfig {
@@ -41,11 +41,12 @@ struct ObjectSeen {
   Pose2 X_MR;
 };
 
-/// The drivers and the mapping mission as one program: stepped every 15 ms, by the twin in virtual time or by the
-/// machine's main loop on real ports. It sees bytes and time, nothing else.
+/// The drivers and the mapping mission as one program: stepped every 15 ms, by the twin in virtual time or by
+/// the machine's main loop on real ports. It sees bytes and time, nothing else.
 class MappingProgram {
  public:
-  MappingProgram(const MappingLinks& links, const MappingProgramConfig& config, std::unique_ptr<Explorer> explorer);
+  MappingProgram(const MappingLinks& links, const MappingProgramConfig& config,
+                 std::unique_ptr<Explorer> explorer);
 
   /// \param now  15 ms after the last call, or as near to it as the clock allows
   void step(Instant now);

@@ -41,6 +41,8 @@ std::string_view name_of(robot::MissionEventKind kind) {
       return "tile_unreachable";
     case robot::MissionEventKind::kDisplaced:
       return "displaced";
+    case robot::MissionEventKind::kLost:
+      return "lost";
     case robot::MissionEventKind::kDone:
       break;
   }

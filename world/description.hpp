@@ -76,15 +76,15 @@ struct Carpet {
   Vec2 origin_m{0.0, 0.0};
   std::vector<std::pair<int, int>> tiles;       ///< (column, row), in reading order; empty = no carpet
   std::vector<std::pair<int, int>> unreadable;  ///< tiles whose tag is dead
-  double tag_offset_sigma_m{
-      0.005};  ///< how far tags sit from the middle (1 sigma, per axis). Chosen: hand-laid
+  /// How far tags sit from the middle (1 sigma, per axis). Chosen: hand-laid.
+  double tag_offset_sigma_m{0.005};
 };
 
 /// The floor under the wheels.
 struct Floor {
   double friction{0.6};  ///< rubber on carpet, dimensionless. Chosen in 0.5 to 0.8
-  double rolling_resistance{
-      0.04};  ///< drag of castor and pile / weight, dimensionless. Chosen: low pile carpet
+  /// Drag of castor and pile / weight, dimensionless. Chosen: low pile carpet.
+  double rolling_resistance{0.04};
   /// Creep: slip ratio of a driven wheel per unit of (tractive force / friction limit), dimensionless.
   double creep{0.02};
   /// Unevenness: mean, and equally standard deviation, of the part of each wheel's way that the pile takes

@@ -71,8 +71,7 @@ struct EpsilonStudy {
 
 /// Drives each explorer through `maps_per_cell` rooms of each cell; all explorers get the same rooms.
 /// \param progress  called from the working threads, one call at a time, with the rooms done and their
-/// number; the
-///   study ends early once it returns false
+///   number; the study ends early once it returns false
 /// \returns nothing when it ended before its last room
 [[nodiscard]] std::optional<EpsilonStudy> run_epsilon_study(
     const EpsilonStudyOptions& options, const std::function<bool(int, int)>& progress = {});

@@ -13,8 +13,7 @@ namespace sensotwin::twin {
 /// Calls `work(0)` .. `work(count - 1)`, each once, on `jobs` threads, in no particular order: work writes to
 /// a place of its own by index, and whoever reduces does so afterwards in the order of the index.
 /// \param progress  called under a lock with the number done and `count`; work ends early once it returns
-/// false. May be
-///   empty
+///   false. May be empty
 /// \returns whether all is done
 [[nodiscard]] inline bool run_in_parallel(int count, int jobs, const std::function<void(int)>& work,
                                           const std::function<bool(int, int)>& progress) {

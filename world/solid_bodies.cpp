@@ -6,8 +6,8 @@
 namespace sensotwin::world {
 namespace {
 
-/// Chosen low: Box2D mixes it with the wall's 0.2 to 0.1, a friction angle of 6 degrees. A rigid disc driven into a wedge
-/// narrower than its friction angle locks there for ever, where real plastic springs out.
+/// Chosen low: Box2D mixes it with the wall's 0.2 to 0.1, a friction angle of 6 degrees. A rigid disc driven
+/// into a wedge narrower than its friction angle locks there for ever, where real plastic springs out.
 constexpr float kShellFriction = 0.05F;
 constexpr double kGravity_mps2 = 9.81;
 

@@ -60,8 +60,8 @@ Task<> MappingMission::dwell(Instant begun, bool new_tag) {
 }
 
 void MappingMission::give_up(Tile tile) {
+  log_.counts.tiles_given_up += map_.unreachable(tile) ? 0 : 1;
   map_.mark_unreachable(tile);
-  ++log_.counts.tiles_given_up;
 }
 
 Task<bool> MappingMission::perform(Move move) {

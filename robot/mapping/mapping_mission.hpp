@@ -48,7 +48,8 @@ class MappingMission {
   /// Tries tiles once more that were given up or blocked against the look of things. \returns true when one
   /// was reached
   Task<bool> try_doubtful();
-  /// Tries the tiles to which no way was found once more, by narrower ways. \returns true when one was reached
+  /// Tries the tiles to which no way was found once more, by narrower ways. \returns true when one was
+  /// reached
   Task<bool> squeeze();
   [[nodiscard]] std::optional<Tile> next_doubtful();
   [[nodiscard]] bool looks_solid(Tile tile) const;
@@ -64,7 +65,7 @@ class MappingMission {
   Pilot pilot_;
   TileMover mover_;
   std::set<Tile> no_tag_;  ///< where the way was free and no tag was found
-  std::set<Tile> no_way_;       ///< given up by a detour
+  std::set<Tile> no_way_;  ///< given up by a detour
   std::set<Tile> tried_again_;
   Squeeze squeeze_{Squeeze::kNo};
   bool finished_{false};

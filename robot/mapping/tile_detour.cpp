@@ -20,6 +20,7 @@ constexpr double kFar_m = 3.0;
 /// A detour ends after so many plans; each one is spoilt by something newly felt.
 constexpr int kPlansMax = 60;
 constexpr int kPlansHome = 20;
+constexpr int kPlansSqueezed = 12;
 /// A corner is rounded when the robot is this near.
 constexpr double kCorner_m = 0.03;
 
@@ -41,8 +42,8 @@ std::vector<Vec2> TileMover::way_to(Tile target) const {
   const Vec2 goal = navigator_.centre_m(target);
   const double goal_radius_m = config_.read_radius_m - 0.03;
   for (const double margin_m : {kNear_m, kFar_m}) {
-    const auto corners = plan_over_floor(navigator_.floor(),
-                                         request_for(navigator_.pose().p_m, goal, goal_radius_m, margin_m, clearance_m_));
+    const auto corners = plan_over_floor(
+        navigator_.floor(), request_for(navigator_.pose().p_m, goal, goal_radius_m, margin_m, clearance_m_));
     if (!corners.empty()) {
       return corners;
     }
@@ -55,7 +56,7 @@ Task<MoveEnd> TileMover::detour(Tile target, Squeeze squeeze) {
   ++log_.counts.detours;
   log_.add(io_.sensed.stamp, MissionEventKind::kDetourBegun, target);
   co_await settle();
-  const MoveEnd end = co_await approach(target, kPlansMax);
+  const MoveEnd end = co_await approach(target, squeeze == Squeeze::kYes ? kPlansSqueezed : kPlansMax);
   if (end == MoveEnd::kArrived) {
     log_.add(io_.sensed.stamp, MissionEventKind::kDetourDone, target);
     co_return end;

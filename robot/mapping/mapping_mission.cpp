@@ -89,11 +89,26 @@ Task<bool> MappingMission::perform(Move move) {
       co_return false;
     }
   }
+  if (map_.visited_count() > before) {
+    reconsider_round(mover_.at());
+  }
   // A detour that found no way has not moved, and costs no slot of the pace.
   if (!move.detour || end == MoveEnd::kArrived) {
     co_await dwell(begun, map_.visited_count() > before);
   }
   co_return true;
+}
+
+void MappingMission::reconsider_round(Tile tile) {
+  // What could not be reached from beyond a wall may be reached from here.
+  for (int dy = -1; dy <= 1; ++dy) {
+    for (int dx = -1; dx <= 1; ++dx) {
+      const Tile next{tile.column + dx, tile.row + dy};
+      if (!no_tag_.contains(next)) {
+        map_.reconsider(next);
+      }
+    }
+  }
 }
 
 std::optional<Tile> MappingMission::next_doubtful() {

@@ -54,6 +54,8 @@ class MappingMission {
   [[nodiscard]] std::optional<Tile> next_doubtful();
   [[nodiscard]] bool looks_solid(Tile tile) const;
   void give_up(Tile tile);
+  /// Tiles given up around this one, newly visited, are open again.
+  void reconsider_round(Tile tile);
   Task<> dwell(Instant begun, bool new_tag);
 
   MappingConfig config_;

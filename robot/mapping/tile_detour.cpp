@@ -84,7 +84,7 @@ Task<MoveEnd> TileMover::approach(Tile target, int plans_max) {
     if (navigator_.tag_in_field() && map_.tile_of(*navigator_.tag_in_field()) == target) {
       co_return MoveEnd::kArrived;
     }
-    if (navigator_.uncertain() && target != at_) {
+    if (navigator_.uncertain() && !map_.visited(target)) {
       const bool sure = co_await relocalise();
       if (!sure) {
         co_return MoveEnd::kLost;

@@ -24,6 +24,10 @@ void TileMap::mark_unreachable(Tile tile) {
   if (!visited(tile)) cells_.ref(tile).unreachable = true;
 }
 
+void TileMap::reconsider(Tile tile) {
+  if (unreachable(tile)) cells_.ref(tile).unreachable = false;
+}
+
 TileColor TileMap::color(Tile tile) const {
   if (!visited(tile)) return TileColor::kWhite;
   for (const Direction side : kDirections) {

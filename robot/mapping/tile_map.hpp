@@ -32,6 +32,8 @@ class TileMap {
   void mark_passage(Tile tile, Direction side, Passage passage);
   /// Given up: no way for the robot's antenna to this tile (or no tag there).
   void mark_unreachable(Tile tile);
+  /// Takes that back: something new is known beside it.
+  void reconsider(Tile tile);
 
   [[nodiscard]] bool visited(Tile tile) const { return cells_.at(tile).visited; }
   [[nodiscard]] bool unreachable(Tile tile) const { return cells_.at(tile).unreachable; }

@@ -89,6 +89,8 @@ class TileMover {
   /// A tag met on the way of a detour: a new one is taken in, the target's ends the walk.
   std::optional<MoveEnd> pass_tag(TagUid tag, Tile target);
   Task<> hold_for_write(Tile tile);
+  /// The visited tiles nearest to where the robot thinks it is, nearest first.
+  [[nodiscard]] std::vector<Tile> known_nearby() const;
   /// Back over the tag of `tile`. \returns false when nothing is in the field
   Task<bool> regain(Tile tile);
   /// What the tag just read means for a move towards `target`; nothing while it is the one the robot came

@@ -11,6 +11,9 @@ namespace {
 constexpr int kRegainPoints = 7;
 /// Rings, 11 cm apart, of the search of a robot that is lost: beyond the next tile's tags.
 constexpr int kRecoverRings = 12;
+/// Before that: known tags nearby that a robot that is lost drives to, and the plans it gives each.
+constexpr std::size_t kKnownTried = 8;
+constexpr int kPlansToKnown = 8;
 
 }  // namespace
 
@@ -120,7 +123,26 @@ Task<std::optional<MoveEnd>> TileMover::search(std::optional<Tile> from, Tile ta
   co_return std::nullopt;
 }
 
+std::vector<Tile> TileMover::known_nearby() const {
+  const Vec2 here = navigator_.pose().p_m;
+  std::vector<Tile> tiles;
+  for (const auto& [tile, tag] : map_.tiles()) {
+    tiles.push_back(tile);
+  }
+  std::stable_sort(tiles.begin(), tiles.end(), [&](Tile a, Tile b) {
+    return (navigator_.centre_m(a) - here).squaredNorm() < (navigator_.centre_m(b) - here).squaredNorm();
+  });
+  tiles.resize(std::min(tiles.size(), kKnownTried));
+  return tiles;
+}
+
 Task<bool> TileMover::recover() {
+  for (const Tile tile : known_nearby()) {
+    const MoveEnd end = co_await approach(tile, kPlansToKnown);
+    if (end == MoveEnd::kArrived) {
+      co_return true;
+    }
+  }
   // What was felt from a wrong place may wall the robot in: at last only touch counts.
   for (const TrustFloor trust : {TrustFloor::kYes, TrustFloor::kNo}) {
     const auto found = co_await search(std::nullopt, at_, kRecoverRings, trust);

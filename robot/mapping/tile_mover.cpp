@@ -174,12 +174,12 @@ Task<> TileMover::look_round() {
   }
 }
 
-Task<> TileMover::settle() {
+Task<> TileMover::rest_at(double stop_m, double slowest_mps) {
   const Line line = line_of(at_, heading_);
   for (;;) {
-    const double left_to_go = -line.along_m(navigator_.pose().p_m);
+    const double left_to_go = stop_m - line.along_m(navigator_.pose().p_m);
     const double speed = std::min(config_.pace.speed_mps, pilot_.stopping_speed_mps(left_to_go));
-    if (speed < 0.02 || pilot_.bumped()) {
+    if (speed < slowest_mps || pilot_.bumped()) {
       break;
     }
     pilot_.follow(line, speed, config_.aim_left_m);
@@ -189,23 +189,16 @@ Task<> TileMover::settle() {
   co_await hold_for_write(at_);
 }
 
+Task<> TileMover::settle() {
+  co_await rest_at(0.0, 0.02);
+}
+
 Task<> TileMover::face(Direction d) {
   if (d != heading_) {
     // Stop where the new line wants the robot: its lateral offset is the present line's position along.
-    const Line line = line_of(at_, heading_);
     const bool left = d == turned(heading_, 1);
     const double stop_m = d == opposite(heading_) ? 0.0 : (left ? -config_.aim_left_m : config_.aim_left_m);
-    for (;;) {
-      const double left_to_go = stop_m - line.along_m(navigator_.pose().p_m);
-      const double speed = std::min(config_.pace.speed_mps, pilot_.stopping_speed_mps(left_to_go));
-      if (speed < 0.03 || pilot_.bumped()) {
-        break;
-      }
-      pilot_.follow(line, speed, config_.aim_left_m);
-      co_await io_.next;
-    }
-    co_await pilot_.brake();
-    co_await hold_for_write(at_);
+    co_await rest_at(stop_m, 0.03);
   }
   const double off = wrap_angle(yaw_of(d) - navigator_.pose().yaw_rad);
   if (std::abs(off) > rad_from_deg(20)) {

@@ -61,6 +61,9 @@ class TileMover {
   [[nodiscard]] Line line_of(Tile from, Direction d) const;
   [[nodiscard]] double clearest_aim(const Line& line, double length_m) const;
   void see_passages_of(Tile tile);
+  /// Brings the robot to rest `stop_m` past the middle of at(), and its write to an end; below `slowest_mps`
+  /// it brakes.
+  Task<> rest_at(double stop_m, double slowest_mps);
   Task<> face(Direction d);
   Task<MoveEnd> roll(Tile from, Tile target, Direction d);
   Task<MoveEnd> give_way(Tile from, Line line);

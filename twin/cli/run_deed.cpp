@@ -14,11 +14,7 @@ namespace {
 
 /// Names that `expect:` may not use are found before the run, not after it.
 void check_expectations(const Scene& scene) {
-  std::vector<FigureLimits> limits;
-  for (const Expectation& expectation : scene.expect) {
-    limits.push_back({expectation.name, expectation.min, expectation.max});
-  }
-  if (const auto complaint = complain_about(limits)) {
+  if (const auto complaint = complain_about(limits_of(scene))) {
     throw CommandError(ExitCode::kInvalidData, fmt::format("{}: {}", scene.file, *complaint));
   }
 }

@@ -97,14 +97,6 @@ LinkHealth links_of(const robot::MappingProgram& program) {
   return links;
 }
 
-std::vector<FigureLimits> limits_of(const Scene& scene) {
-  std::vector<FigureLimits> limits;
-  for (const Expectation& expectation : scene.expect) {
-    limits.push_back({expectation.name, expectation.min, expectation.max});
-  }
-  return limits;
-}
-
 /// \returns true when the mission ended by itself or by the time limit, false when it was told to stop
 bool loop(const Scene& scene, MappingTwin& twin, RunRecorder& recorder, TickTimer& timer,
           const std::function<bool()>& may_go_on) {
@@ -119,6 +111,14 @@ bool loop(const Scene& scene, MappingTwin& twin, RunRecorder& recorder, TickTime
 }
 
 }  // namespace
+
+std::vector<FigureLimits> limits_of(const Scene& scene) {
+  std::vector<FigureLimits> limits;
+  for (const Expectation& expectation : scene.expect) {
+    limits.push_back({expectation.name, expectation.min, expectation.max});
+  }
+  return limits;
+}
 
 Summary run_mapping(const Scene& scene, RunFolder& folder, const MappingRunOptions& options) {
   const double begun = options.wall_s ? options.wall_s() : 0.0;

@@ -4,6 +4,7 @@
 #include <functional>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "twin/output/run_folder.hpp"
 #include "twin/output/summary.hpp"
@@ -28,6 +29,9 @@ struct MappingRunOptions {
   /// main's clock, s. Only timing.json depends on it.
   std::function<double()> wall_s;
 };
+
+/// What the scene expects, as the judge wants it.
+[[nodiscard]] std::vector<FigureLimits> limits_of(const Scene& scene);
 
 /// Runs a mapping scene to its end, to its time limit or until it is told to stop, and leaves the folder:
 /// summary.json, trace.csv, events.jsonl, map.pgm and map.yaml, timing.json, and with pictures floorplan.png,

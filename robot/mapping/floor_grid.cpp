@@ -11,6 +11,7 @@ namespace {
 constexpr std::uint8_t kEvidenceMask = 0x0F;
 constexpr std::uint8_t kForbidden = 0x10;
 constexpr std::uint8_t kSwept = 0x20;
+constexpr std::uint8_t kTrodden = 0x40;
 /// A hit counts twice, a beam that went through once: a leg is seen by few of the beams that pass near it.
 /// Two hits are needed, so that one stray reading moves nothing.
 constexpr int kHitWeight = 2;
@@ -73,6 +74,19 @@ void FloorGrid::forbid_centre(const Vec2& p_M_m) {
   }
 }
 
+void FloorGrid::forget_touches(const Vec2& round_M_m, double radius_m) {
+  const Cell low = cell_at(round_M_m - Vec2{radius_m, radius_m});
+  const Cell high = cell_at(round_M_m + Vec2{radius_m, radius_m});
+  for (int y = low.y; y <= high.y; ++y) {
+    for (int x = low.x; x <= high.x; ++x) {
+      if (centre_forbidden({x, y}) && (centre_m({x, y}) - round_M_m).norm() <= radius_m) {
+        at({x, y}) &= static_cast<std::uint8_t>(~kForbidden);
+        ++revision_;
+      }
+    }
+  }
+}
+
 void FloorGrid::clear_disc(const Vec2& centre_M_m, double radius_m) {
   const Cell low = cell_at(centre_M_m - Vec2{radius_m, radius_m});
   const Cell high = cell_at(centre_M_m + Vec2{radius_m, radius_m});
@@ -91,7 +105,7 @@ void FloorGrid::clear_disc(const Vec2& centre_M_m, double radius_m) {
       const int end = std::min(last, first | (kChunkSide - 1));
       std::uint8_t* const row = &at({first, y});
       for (int i = 0; i <= end - first; ++i) {
-        row[i] = static_cast<std::uint8_t>((row[i] & kForbidden) | kSwept);
+        row[i] = static_cast<std::uint8_t>((row[i] & (kForbidden | kTrodden)) | kSwept);
       }
       first = end + 1;
     }
@@ -107,6 +121,15 @@ bool FloorGrid::occupied(Cell c) const {
 bool FloorGrid::centre_forbidden(Cell c) const {
   const std::uint8_t* cell = find(c);
   return cell != nullptr && (*cell & kForbidden) != 0;
+}
+
+bool FloorGrid::trodden(Cell c) const {
+  const std::uint8_t* cell = find(c);
+  return cell != nullptr && (*cell & kTrodden) != 0;
+}
+
+void FloorGrid::tread(const Vec2& centre_M_m) {
+  at(cell_at(centre_M_m)) |= kTrodden;
 }
 
 bool FloorGrid::swept(Cell c) const {

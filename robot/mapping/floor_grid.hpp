@@ -36,11 +36,18 @@ class FloorGrid {
   void see_through(const Vec2& from_M_m, const Vec2& to_M_m);
   /// The bumper was pressed with the robot here: the robot's centre cannot be at `p_M_m`.
   void forbid_centre(const Vec2& p_M_m);
+  /// Forgets every touch within `radius_m`.
+  void forget_touches(const Vec2& round_M_m, double radius_m);
   /// The body stood at `centre`: whatever was believed within `radius_m` of it is not there.
   void clear_disc(const Vec2& centre_M_m, double radius_m);
 
+  /// The robot's centre was here, and its place was known well: it can be here again, whatever was seen
+  /// since.
+  void tread(const Vec2& centre_M_m);
+
   [[nodiscard]] bool occupied(Cell c) const;
   [[nodiscard]] bool centre_forbidden(Cell c) const;
+  [[nodiscard]] bool trodden(Cell c) const;
   /// The body has covered this cell.
   [[nodiscard]] bool swept(Cell c) const;
   /// True when something stands closer than `clearance_m` to the straight way from `from` to `to`.

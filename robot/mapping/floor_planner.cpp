@@ -16,6 +16,10 @@ using Cell = FloorGrid::Cell;
 /// Extra cost per metre of way inside the uncomfortable rim: chosen so that a detour of a few decimetres is
 /// preferred to scraping along something.
 constexpr double kRimCost = 4.0;
+/// Cost per metre where the robot's centre has been before though by now something seems to stand too near:
+/// chosen so that any open way is preferred. And where it was stopped there by touch since.
+constexpr float kTroddenCost = 10.0F;
+constexpr float kTroddenBumpedCost = 60.0F;
 /// How far the robot may be inside the forbidden rim by an error of its pose: 5 cm.
 constexpr int kLetOutCells = 2;
 constexpr float kFar = std::numeric_limits<float>::infinity();
@@ -44,6 +48,7 @@ class CostField {
         }
       }
     }
+    allow_trodden(grid);
     let_out(grid, FloorGrid::cell_at(request.start_M_m));
   }
   [[nodiscard]] bool inside(Cell c) const {
@@ -80,6 +85,18 @@ class CostField {
       }
     }
     return stamp;
+  }
+
+  /// What was seen since from a place known badly may wall in what is open: the robot's own trail never is.
+  void allow_trodden(const FloorGrid& grid) {
+    for (int y = low_.y; y <= high_.y; ++y) {
+      for (int x = low_.x; x <= high_.x; ++x) {
+        float& cost = cost_[index({x, y})];
+        if (cost == kFar && grid.trodden({x, y})) {
+          cost = grid.centre_forbidden({x, y}) ? kTroddenBumpedCost : kTroddenCost;
+        }
+      }
+    }
   }
 
   /// Where the robot stands is free, whatever the grid says: it may leave through the rim it stands in.

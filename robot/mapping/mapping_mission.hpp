@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <map>
 #include <memory>
 #include <optional>
 #include <set>
+#include <utility>
 
 #include "robot/base/task.hpp"
 #include "robot/mapping/explorer.hpp"
@@ -66,9 +68,11 @@ class MappingMission {
   Navigator navigator_;
   Pilot pilot_;
   TileMover mover_;
-  std::set<Tile> no_tag_;  ///< where the way was free and no tag was found
-  std::set<Tile> no_way_;  ///< given up by a detour
+  std::set<std::pair<Tile, Tile>> touched_;  ///< moves that ended at something solid
+  std::set<Tile> no_tag_;                    ///< where the way was free and no tag was found
+  std::set<Tile> no_way_;                    ///< given up by a detour
   std::set<Tile> tried_again_;
+  std::map<Squeeze, std::set<Tile>> squeezed_;  ///< tried by narrower ways
   Squeeze squeeze_{Squeeze::kNo};
   bool finished_{false};
   bool succeeded_{false};

@@ -16,6 +16,8 @@ constexpr double kLookStep_rad = 0.04;
 constexpr int kLookSteps = 20;
 /// The sweep clears this much less than the body, for the error of the pose.
 constexpr double kSweepMargin_m = 0.03;
+/// A trail is remembered where the place is known better than this. Chosen: two cells.
+constexpr double kTreadSigma_m = 0.05;
 /// Placed by hand over a tag: within the zone, square to the tiles within a few degrees.
 constexpr double kPlacedSigma_m = 0.03;
 constexpr double kPlacedYawSigma_rad = 0.05;
@@ -38,12 +40,10 @@ Tile Navigator::nearest_tile(const Vec2& p_M_m) const {
 
 void Navigator::sense(const Sensed& sensed) {
   identified_.reset();
+  relocated_ = false;
   sense_motion(sensed);
   sense_tag(sensed);
   sense_obstacles(sensed);
-  if (sensed.bump_left || sensed.bump_right) {
-    filter_.touch();
-  }
   if (sensed.compass_rad) {
     filter_.correct_by_compass(*sensed.compass_rad);
   }
@@ -51,7 +51,11 @@ void Navigator::sense(const Sensed& sensed) {
 
 void Navigator::sense_motion(const Sensed& sensed) {
   const double before_m = filter_.path_length_m();
-  filter_.drive(sensed.counts_left, sensed.counts_right);
+  std::optional<double> contact_rad;
+  if (sensed.bump_left || sensed.bump_right) {
+    contact_rad = contact_yaw_R_rad((sensed.bump_left ? 1 : 0) - (sensed.bump_right ? 1 : 0), sensed);
+  }
+  filter_.drive(sensed.counts_left, sensed.counts_right, contact_rad);
   const double sign = sensed.counts_left + sensed.counts_right < 0 ? -1.0 : 1.0;
   speed_mps_ = sign * (filter_.path_length_m() - before_m) / to_s(kTick);
 }
@@ -61,6 +65,9 @@ void Navigator::sense_obstacles(const Sensed& sensed) {
   if ((X_MR.p_m - swept_at_m_).norm() > FloorGrid::kCell_m) {
     floor_.clear_disc(X_MR.p_m, config_.body_radius_m - kSweepMargin_m);
     swept_at_m_ = X_MR.p_m;
+    if (filter_.position_sigma_m() < kTreadSigma_m) {
+      floor_.tread(X_MR.p_m);
+    }
   }
   if ((X_MR.p_m - looked_at_m_).norm() < kLookStep_m &&
       std::abs(wrap_angle(X_MR.yaw_rad - looked_yaw_rad_)) < kLookStep_rad &&
@@ -122,7 +129,10 @@ bool Navigator::near(Tile tile) const {
 
 void Navigator::use_tag_in_field() {
   const auto tile = uid_ ? map_.tile_of(*uid_) : std::nullopt;
-  if (tile && entry_usable_ && near(*tile)) {
+  if (tile && !near(*tile)) {
+    relocate(*tile);
+    relocated_ = true;
+  } else if (tile && entry_usable_) {
     entry_usable_ = false;
     filter_.identify_zone(zone_of(*tile));
   }
@@ -141,18 +151,25 @@ void Navigator::relocate(Tile tile) {
   entered_ = entry_usable_ = false;
 }
 
-void Navigator::remember_bump(int side, const Sensed& sensed) {
-  // The switches tell the side only; the brightest beam on that side tells roughly where on the shell.
-  double angle = 0.0;
-  if (side != 0) {
-    std::size_t brightest = side > 0 ? 0 : 5;
-    for (std::size_t i = side > 0 ? 0 : 3; i < (side > 0 ? 3u : 6u); ++i) {
-      if (sensed.light_bump[i] > sensed.light_bump[brightest]) {
-        brightest = i;
-      }
-    }
-    angle = config_.light_bumper.yaw_R_rad[brightest];
+double Navigator::contact_yaw_R_rad(int side, const Sensed& sensed) const {
+  if (side == 0) {
+    return 0.0;
   }
+  std::size_t brightest = side > 0 ? 0 : 5;
+  for (std::size_t i = side > 0 ? 0 : 3; i < (side > 0 ? 3u : 6u); ++i) {
+    if (sensed.light_bump[i] > sensed.light_bump[brightest]) {
+      brightest = i;
+    }
+  }
+  if (brightest == 0 || brightest == 5) {
+    return side * kPi /
+           2.0;  // a wall alongside is seen by the outermost beam only, as far back as it may touch
+  }
+  return config_.light_bumper.yaw_R_rad[brightest];
+}
+
+void Navigator::remember_bump(int side, const Sensed& sensed) {
+  const double angle = contact_yaw_R_rad(side, sensed);
   const Vec2 outward{std::cos(angle), std::sin(angle)};
   floor_.forbid_centre(pose() * (FloorGrid::kCell_m * outward));
   floor_.forbid_centre(pose() * (2.0 * FloorGrid::kCell_m * outward));

@@ -40,6 +40,8 @@ class Navigator {
   [[nodiscard]] std::optional<TagUid> identified() const { return identified_; }
   /// The tag in the antenna's field now, once identified.
   [[nodiscard]] std::optional<TagUid> tag_in_field() const { return in_field_ ? uid_ : std::nullopt; }
+  /// The tag identified in this very step is known, and was not expected here: the pose was set right.
+  [[nodiscard]] bool relocated() const { return relocated_; }
   [[nodiscard]] bool anything_in_field() const { return in_field_; }
   /// The tag in the field has just been given its tile: its coming into the field now corrects the pose.
   void use_tag_in_field();
@@ -55,8 +57,11 @@ class Navigator {
   static constexpr double kTellTiles = 0.22;
   [[nodiscard]] ReadZone zone_of(Tile tile) const;
   /// The robot believes itself on this tile: what its tag's rim says of the pose can be taken at its word. A
-  /// tag read farther off says that the robot is elsewhere, which is for relocate() to set right.
+  /// tag read farther off says that the robot is elsewhere: relocate().
   [[nodiscard]] bool near(Tile tile) const;
+  /// Where on the shell it touches, in R: the switches tell the side only, the brightest beam on that side
+  /// roughly where. \param side  +1 left only, -1 right only, 0 both
+  [[nodiscard]] double contact_yaw_R_rad(int side, const Sensed& sensed) const;
   void sense_motion(const Sensed& sensed);
   void sense_obstacles(const Sensed& sensed);
   void sense_tag(const Sensed& sensed);
@@ -73,6 +78,7 @@ class Navigator {
   bool in_field_{false};
   std::optional<TagUid> uid_;
   std::optional<TagUid> identified_;
+  bool relocated_{false};
   bool entered_{false};       ///< rolling, so that the place of entry is known
   bool entry_usable_{false};  ///< and not yet used
 };

@@ -39,7 +39,7 @@ void PoseFilter::reset(const Pose2& X_MR, double position_sigma_m, double yaw_si
   beliefs_[0].track.reset(X_MR, position_sigma_m, yaw_sigma_rad);
 }
 
-void PoseFilter::drive(int counts_left, int counts_right) {
+void PoseFilter::drive(int counts_left, int counts_right, std::optional<double> contact_yaw_R_rad) {
   if (counts_left == 0 && counts_right == 0) {
     return;
   }
@@ -53,7 +53,7 @@ void PoseFilter::drive(int counts_left, int counts_right) {
   path_length_m_ += std::abs(d_m);
   turned_rad_ += std::abs(dyaw);
   for (Belief& belief : beliefs_) {
-    belief.track.drive(left_m, right_m);
+    belief.track.drive(left_m, right_m, contact_yaw_R_rad);
   }
 }
 
@@ -65,31 +65,39 @@ void PoseFilter::enter_zone(double late_m) {
 
 void PoseFilter::identify_zone(const ReadZone& zone) {
   for (Belief& belief : beliefs_) {
-    // At the mark the antenna was on the rim: along the line of sight it is `radius` from the tag.
-    const Vec2 since = belief.track.since_mark_m();
-    const Vec2 from_tag = belief.track.pose().p_m - since - zone.tag_M_m;
-    if (from_tag.norm() < 0.01) {
-      continue;
-    }
-    const Vec2 sight = from_tag.normalized();
-    const Vec2 across{-sight.y(), sight.x()};
-    // The rim bends: an uncertain place across the line of sight makes the distance along it uncertain too.
-    const double bend = std::pow(belief.track.position_sigma_m(across), 2) / zone.radius_m;
-    const double sigma = std::hypot(std::hypot(zone.rim_sigma_m, zone.tag_sigma_m), bend);
-    const double value = sight.dot(zone.tag_M_m + since) + zone.radius_m;
-    const double likelihood = belief.track.correct_position(sight, value, sigma);
-    belief.log_weight += likelihood;
-    if (likelihood < kSurprise) {
-      belief.track.doubt(kDoubt);
-      belief.track.correct_position(sight, value, sigma);
-    }
+    correct_rim(belief, zone, belief.track.since_mark_m());
   }
   settle_weights();
+}
+
+void PoseFilter::correct_rim(Belief& belief, const ReadZone& zone, const Vec2& since_m) {
+  // On the rim the antenna was `radius` from the tag, along the line of sight.
+  const Vec2 from_tag = belief.track.pose().p_m - since_m - zone.tag_M_m;
+  if (from_tag.norm() < 0.01) {
+    return;
+  }
+  const Vec2 sight = from_tag.normalized();
+  const Vec2 across{-sight.y(), sight.x()};
+  // The rim bends: an uncertain place across the line of sight makes the distance along it uncertain too.
+  const double bend = std::pow(belief.track.position_sigma_m(across), 2) / zone.radius_m;
+  const double sigma = std::hypot(std::hypot(zone.rim_sigma_m, zone.tag_sigma_m), bend);
+  const double value = sight.dot(zone.tag_M_m + since_m) + zone.radius_m;
+  const double likelihood = belief.track.correct_position(sight, value, sigma);
+  belief.log_weight += likelihood;
+  if (likelihood < kSurprise) {
+    belief.track.doubt(kDoubt);
+    belief.track.correct_position(sight, value, sigma);
+  }
 }
 
 void PoseFilter::correct_chord(Belief& belief, const ReadZone& zone, double late_m,
                                std::vector<Belief>& out) const {
   const Vec2 late = late_m * belief.track.pose().direction();
+  if (belief.track.touched_since_mark()) {
+    correct_rim(belief, zone, late);  // the chord is not what the wheels counted
+    out.push_back(belief);
+    return;
+  }
   const Vec2 chord = belief.track.since_mark_m() - late;
   const double half = chord.norm() / 2.0;
   if (half < zone.radius_m / 4.0) {
@@ -163,12 +171,6 @@ void PoseFilter::correct_by_compass(double reading_rad) {
   }
   if (beliefs_.size() > 1) {
     settle_weights();
-  }
-}
-
-void PoseFilter::touch() {
-  for (Belief& belief : beliefs_) {
-    belief.track.touch();
   }
 }
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <optional>
 #include <vector>
 
 #include "robot/base/geometry.hpp"
@@ -29,7 +30,8 @@ class PoseFilter {
   PoseFilter(const OdometryModel& odometry, const CompassModel& compass);
 
   void reset(const Pose2& X_MR, double position_sigma_m, double yaw_sigma_rad);
-  void drive(int counts_left, int counts_right);
+  /// \param contact_yaw_R_rad  where on the shell the body touches something in this control step, if it does
+  void drive(int counts_left, int counts_right, std::optional<double> contact_yaw_R_rad = std::nullopt);
 
   /// A tag answers for the first time: the rim was crossed `late_m` of way ago.
   void enter_zone(double late_m);
@@ -44,8 +46,6 @@ class PoseFilter {
   void find_at(const ReadZone& zone);
   /// \param reading_rad  counter-clockwise from north
   void correct_by_compass(double reading_rad);
-  /// The body touches something in this control step.
-  void touch();
 
   /// Of the belief with the greatest weight.
   [[nodiscard]] const Pose2& pose() const { return beliefs_.front().track.pose(); }
@@ -65,6 +65,8 @@ class PoseFilter {
     double log_weight{0.0};
   };
   void settle_weights();
+  /// The antenna was on the rim of this zone when the robot was `since_m` from where it is now.
+  static void correct_rim(Belief& belief, const ReadZone& zone, const Vec2& since_m);
   void correct_chord(Belief& belief, const ReadZone& zone, double late_m, std::vector<Belief>& out) const;
 
   OdometryModel model_;

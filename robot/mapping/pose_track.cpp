@@ -38,21 +38,39 @@ void PoseTrack::reset(const Pose2& X_MR, double position_sigma_m, double yaw_sig
   mark_M_m_ = X_MR_.p_m;
 }
 
-void PoseTrack::drive(double left_m, double right_m) {
+void PoseTrack::drive(double left_m, double right_m, std::optional<double> contact_yaw_R_rad) {
   const double counted_m = (left_m + right_m) / 2.0;
   const double counted_rad = (right_m - left_m) / model_.wheel_base_m;
   const double d_m = counted_m * (1.0 + scale_);
   const double dyaw = counted_rad * (1.0 + turn_scale_) + curvature_rad_per_m_ * d_m;
   const double yaw = X_MR_.yaw_rad + dyaw / 2.0;
-  X_MR_.p_m += d_m * Vec2{std::cos(yaw), std::sin(yaw)};
+  Vec2 way = d_m * Vec2{std::cos(yaw), std::sin(yaw)};
+  if (contact_yaw_R_rad) {
+    const Vec2 outward{std::cos(yaw + *contact_yaw_R_rad), std::sin(yaw + *contact_yaw_R_rad)};
+    way -= std::max(0.0, way.dot(outward)) * outward;
+  }
+  X_MR_.p_m += way;
   X_MR_.yaw_rad = wrap_angle(X_MR_.yaw_rad + dyaw);
   pending_m_ += counted_m;
   pending_abs_m_ += std::abs(counted_m);
   pending_rad_ += counted_rad;
   pending_abs_rad_ += std::abs(counted_rad);
-  if (pending_abs_m_ > kCovarianceStep_m || pending_abs_rad_ > kCovarianceStep_rad) {
+  if (contact_yaw_R_rad) {
+    grow_by_touch(std::max(std::abs(left_m), std::abs(right_m)));
+  } else if (pending_abs_m_ > kCovarianceStep_m || pending_abs_rad_ > kCovarianceStep_rad) {
     propagate_covariance();
   }
+}
+
+void PoseTrack::grow_by_touch(double rolled_m) {
+  propagate_covariance();
+  // One error that grows with the way rolled, not many small ones that cancel: a wall pushes one way.
+  touched_since_mark_ = true;
+  const double grown_m2 = squared(touched_m_ + rolled_m) - squared(touched_m_);
+  touched_m_ += rolled_m;
+  P_(0, 0) += squared(model_.touch_sigma_m_per_m) * grown_m2;
+  P_(1, 1) += squared(model_.touch_sigma_m_per_m) * grown_m2;
+  P_(2, 2) += squared(model_.touch_sigma_rad_per_m) * grown_m2;
 }
 
 void PoseTrack::propagate_covariance() {
@@ -106,6 +124,7 @@ double PoseTrack::correct(const Row& H, double innovation, double sigma) {
 
 double PoseTrack::correct_position(const Vec2& direction_M, double value_m, double sigma_m) {
   propagate_covariance();
+  touched_m_ = 0.0;
   Row H = Row::Zero();
   H(0, 0) = direction_M.x();
   H(0, 1) = direction_M.y();
@@ -122,13 +141,6 @@ double PoseTrack::correct_by_compass(double reading_rad) {
   Row H = Row::Zero();
   H(0, 2) = H(0, 6) = 1.0;
   return correct(H, wrap_angle(reading_rad - X_MR_.yaw_rad - bias_rad_), compass_.noise_sigma_rad);
-}
-
-void PoseTrack::touch() {
-  propagate_covariance();
-  P_(0, 0) += squared(model_.touch_sigma_m);
-  P_(1, 1) += squared(model_.touch_sigma_m);
-  P_(2, 2) += squared(model_.touch_sigma_rad);
 }
 
 void PoseTrack::doubt(double factor) {

@@ -1,8 +1,11 @@
 // SPDX-License-Identifier: MIT
 #include <algorithm>
 #include <cmath>
+#include <cstdlib>
 
 #include "robot/mapping/floor_planner.hpp"
+#include "robot/mapping/nudges.hpp"
+#include "robot/mapping/route.hpp"
 #include "robot/mapping/tile_mover.hpp"
 
 namespace sensotwin::robot {
@@ -13,6 +16,14 @@ namespace {
 constexpr double kClearance_m = 0.150;
 /// And at last, where nothing else is left to try.
 constexpr double kTightClearance_m = 0.130;
+constexpr double kTouchClearance_m = 0.115;
+/// How far within its zone's rim the antenna should come to a tag; at last, hardly: something may stand
+/// there.
+constexpr double kInside_m = 0.03;
+constexpr double kTightInside_m = 0.02;
+constexpr double kTouchInside_m = 0.005;
+/// What was touched this near the target is forgotten then: it may have been felt from a place known badly.
+constexpr double kForget_m = 0.6;
 constexpr double kComfort_m = 0.205;
 /// The box searched for a way: round robot and target by these, one after the other.
 constexpr double kNear_m = 0.8;
@@ -21,6 +32,14 @@ constexpr double kFar_m = 3.0;
 constexpr int kPlansMax = 60;
 constexpr int kPlansHome = 20;
 constexpr int kPlansSqueezed = 12;
+constexpr int kPlansByTouch = 5;
+/// Where the target's tag should be, the pose better than this, or it is found out anew, so often; then
+/// rings, 11 cm apart, of a search.
+constexpr double kArrivedSigma_m = 0.04;
+constexpr int kFixesMax = 2;
+constexpr int kArrivedRings = 2;
+/// Visited tiles near a target from which a way to it is looked for.
+constexpr std::size_t kBases = 3;
 /// A corner is rounded when the robot is this near.
 constexpr double kCorner_m = 0.03;
 
@@ -38,12 +57,12 @@ PlanRequest request_for(const Vec2& start, const Vec2& goal, double goal_radius_
 
 }  // namespace
 
-std::vector<Vec2> TileMover::way_to(Tile target) const {
+std::vector<Vec2> TileMover::way(const Vec2& start_M_m, Tile target) const {
   const Vec2 goal = navigator_.centre_m(target);
-  const double goal_radius_m = config_.read_radius_m - 0.03;
   for (const double margin_m : {kNear_m, kFar_m}) {
     const auto corners = plan_over_floor(
-        navigator_.floor(), request_for(navigator_.pose().p_m, goal, goal_radius_m, margin_m, clearance_m_));
+        navigator_.floor(),
+        request_for(start_M_m, goal, config_.read_radius_m - inside_m_, margin_m, clearance_m_));
     if (!corners.empty()) {
       return corners;
     }
@@ -51,22 +70,73 @@ std::vector<Vec2> TileMover::way_to(Tile target) const {
   return {};
 }
 
+int TileMover::dare(Squeeze squeeze) {
+  clearance_m_ = kClearance_m;
+  inside_m_ = kInside_m;
+  if (squeeze == Squeeze::kTight) {
+    clearance_m_ = kTightClearance_m;
+    inside_m_ = kTightInside_m;
+    return kPlansSqueezed;
+  }
+  if (squeeze == Squeeze::kByTouch) {
+    clearance_m_ = kTouchClearance_m;
+    inside_m_ = kTouchInside_m;
+    return kPlansByTouch;
+  }
+  return kPlansMax;
+}
+
+std::optional<Tile> TileMover::base_for(Tile target) const {
+  const std::vector<Tile> known = visited_by_distance(navigator_.centre_m(target));
+  for (std::size_t i = 0; i < std::min(known.size(), kBases); ++i) {
+    if (!way(navigator_.centre_m(known[i]), target).empty()) {
+      return known[i];
+    }
+  }
+  return std::nullopt;
+}
+
 Task<MoveEnd> TileMover::detour(Tile target, Squeeze squeeze) {
-  clearance_m_ = squeeze == Squeeze::kYes ? kTightClearance_m : kClearance_m;
+  const int plans_max = dare(squeeze);
+  if (squeeze == Squeeze::kByTouch) {
+    navigator_.floor().forget_touches(navigator_.centre_m(target), kForget_m);
+  }
   ++log_.counts.detours;
   log_.add(io_.sensed.stamp, MissionEventKind::kDetourBegun, target);
   co_await settle();
-  const MoveEnd end = co_await approach(target, squeeze == Squeeze::kYes ? kPlansSqueezed : kPlansMax);
+  const bool direct = !way(navigator_.pose().p_m, target).empty();
+  const std::optional<Tile> base = direct ? std::optional{at_} : base_for(target);
+  MoveEnd end = MoveEnd::kBlocked;
+  if (base) {
+    co_await travel(*base);
+    end = co_await approach(target, plans_max);
+  }
   if (end == MoveEnd::kArrived) {
     log_.add(io_.sensed.stamp, MissionEventKind::kDetourDone, target);
     co_return end;
   }
   log_.add(io_.sensed.stamp, MissionEventKind::kUnreachable, target);
-  const bool home = co_await relocalise();
-  if (!home) {
-    co_return MoveEnd::kLost;
+  if (base) {
+    const bool home = co_await relocalise();
+    if (!home) {
+      co_return MoveEnd::kLost;
+    }
   }
   co_return end == MoveEnd::kNoTag ? MoveEnd::kNoTag : MoveEnd::kBlocked;
+}
+
+Task<> TileMover::travel(Tile to) {
+  for (const Tile step : shortest_route(map_, at_, heading_, {to})) {
+    const Tile from = at_;
+    if (std::abs(step.column - from.column) + std::abs(step.row - from.row) != 1) {
+      co_return;  // carried off the route
+    }
+    const MoveEnd end = co_await go(step);
+    if (end != MoveEnd::kArrived) {
+      co_return;
+    }
+  }
+  co_await settle();
 }
 
 Task<bool> TileMover::relocalise() {
@@ -80,6 +150,7 @@ Task<bool> TileMover::relocalise() {
 
 Task<MoveEnd> TileMover::approach(Tile target, int plans_max) {
   const Vec2 goal = navigator_.centre_m(target);
+  int fixes = 0;
   for (int plans = 0; plans < plans_max; ++plans) {
     if (navigator_.tag_in_field() && map_.tile_of(*navigator_.tag_in_field()) == target) {
       co_return MoveEnd::kArrived;
@@ -90,7 +161,7 @@ Task<MoveEnd> TileMover::approach(Tile target, int plans_max) {
         co_return MoveEnd::kLost;
       }
     }
-    const std::vector<Vec2> corners = way_to(target);
+    const std::vector<Vec2> corners = way(navigator_.pose().p_m, target);
     if (corners.empty()) {
       co_return MoveEnd::kBlocked;
     }
@@ -98,9 +169,21 @@ Task<MoveEnd> TileMover::approach(Tile target, int plans_max) {
     if (end && *end != MoveEnd::kDisplaced) {
       co_return *end;
     }
-    if (!end && (navigator_.pose().p_m - goal).norm() < config_.read_radius_m - 0.02) {
-      co_return MoveEnd::kNoTag;  // there, and nothing to read
+    if (end || (navigator_.pose().p_m - goal).norm() > config_.read_radius_m - inside_m_ + kCorner_m) {
+      continue;
     }
+    // There, and nothing to read.
+    if (!map_.visited(target) && navigator_.filter().position_sigma_m() > kArrivedSigma_m &&
+        fixes++ < kFixesMax) {
+      const bool sure = co_await relocalise();
+      if (sure) {
+        continue;
+      }
+      co_return MoveEnd::kLost;
+    }
+    const std::optional<MoveEnd> found =
+        co_await search(std::nullopt, target, kArrivedRings, TrustFloor::kNo);
+    co_return found.value_or(MoveEnd::kNoTag);
   }
   co_return MoveEnd::kBlocked;
 }
@@ -116,8 +199,10 @@ Task<std::optional<MoveEnd>> TileMover::walk(Tile target, std::vector<Vec2> corn
     if (std::abs(wrap_angle(line.yaw_rad - navigator_.pose().yaw_rad)) > rad_from_deg(12)) {
       co_await pilot_.turn_to(line.yaw_rad);
     }
+    Nudges nudges;
     for (;;) {
-      const double left_to_go = way.norm() - line.along_m(navigator_.pose().p_m);
+      const double along_m = line.along_m(navigator_.pose().p_m);
+      const double left_to_go = way.norm() - along_m;
       if (left_to_go < kCorner_m / 2.0) {
         break;
       }
@@ -130,9 +215,16 @@ Task<std::optional<MoveEnd>> TileMover::walk(Tile target, std::vector<Vec2> corn
       }
       if (pilot_.bumped() || pilot_.hazard()) {
         ++log_.counts.bumps;
-        navigator_.remember_bump(pilot_.bump_side(), io_.sensed);
-        co_await pilot_.back_along(line, line.along_m(navigator_.pose().p_m) - config_.back_off_m, 0.0);
-        co_return std::nullopt;
+        const int side = pilot_.bump_side();
+        const bool hopeless = pilot_.hazard() || !nudges.away_from(side, along_m);
+        if (hopeless) {
+          navigator_.remember_bump(side, io_.sensed);
+        }
+        co_await pilot_.back_along(line, along_m - config_.back_off_m, nudges.aim_left_m());
+        if (hopeless) {
+          co_return std::nullopt;
+        }
+        continue;
       }
       if (navigator_.floor().revision() != revision &&
           navigator_.floor().blocks(navigator_.pose().p_m, corner, clearance_m_ - 0.01)) {
@@ -140,7 +232,7 @@ Task<std::optional<MoveEnd>> TileMover::walk(Tile target, std::vector<Vec2> corn
         co_return std::nullopt;
       }
       pilot_.follow(line, std::min(config_.careful_speed_mps, pilot_.stopping_speed_mps(left_to_go) + 0.02),
-                    0.0);
+                    nudges.aim_left_m());
       co_await io_.next;
     }
   }

@@ -5,17 +5,13 @@
 #include <array>
 #include <cmath>
 
+#include "robot/mapping/nudges.hpp"
+
 namespace sensotwin::robot {
 namespace {
 
 /// Room beside the body that a straight way should have.
 constexpr double kEasyClearance_m = 0.185;
-/// A one-sided bump moves the aim away from that side by this much, so many times.
-constexpr double kNudge_m = 0.015;
-constexpr int kNudges = 8;
-constexpr int kFutileNudges = 3;
-/// Progress between two bumps that counts as getting past something.
-constexpr double kProgress_m = 0.01;
 /// The antenna must stay this far inside the zone's rim to be sure of a read.
 constexpr double kAimMargin_m = 0.02;
 /// A tag further than this from where the robot thinks it is cannot be the one it was driving to.
@@ -120,8 +116,7 @@ std::optional<MoveEnd> TileMover::judge_tag(TagUid tag, std::optional<Tile> from
     if (*known == target) {
       return MoveEnd::kArrived;
     }
-    if ((navigator_.pose().p_m - navigator_.centre_m(*known)).norm() > kBelieve_m) {
-      navigator_.relocate(*known);
+    if (navigator_.relocated()) {
       log_.add(io_.sensed.stamp, MissionEventKind::kDisplaced, *known, tag);
     }
     return MoveEnd::kDisplaced;
@@ -236,12 +231,8 @@ Task<MoveEnd> TileMover::go(Tile target) {
 
 Task<MoveEnd> TileMover::roll(Tile from, Tile target, Direction d) {
   const Line line = line_of(from, d);
-  double aim = clearest_aim(line, config_.tile_m);
-  const double aim_most = config_.read_radius_m - kAimMargin_m;
+  Nudges nudges(clearest_aim(line, config_.tile_m), config_.read_radius_m - kAimMargin_m);
   const double give_up_m = config_.tile_m + config_.read_radius_m + 0.04;
-  int nudges = 0;
-  int futile = 0;
-  double furthest_m = -1.0;
   for (;;) {
     if (const auto tag = navigator_.identified()) {
       if (const auto end = judge_tag(*tag, from, target)) {
@@ -264,13 +255,10 @@ Task<MoveEnd> TileMover::roll(Tile from, Tile target, Direction d) {
         navigator_.miss(target, line.yaw_rad);
         co_return MoveEnd::kNoTag;
       }
-      futile = s > furthest_m + kProgress_m ? 0 : futile + 1;
-      furthest_m = std::max(furthest_m, s);
-      aim = std::clamp(aim - side * kNudge_m, -aim_most, aim_most);
-      if (side == 0 || futile > kFutileNudges || ++nudges > kNudges) {
+      if (!nudges.away_from(side, s)) {
         co_return co_await give_way(from, line);
       }
-      co_await pilot_.back_along(line, s - config_.back_off_m, aim);
+      co_await pilot_.back_along(line, s - config_.back_off_m, nudges.aim_left_m());
       continue;
     }
     if (s > give_up_m) {
@@ -281,7 +269,8 @@ Task<MoveEnd> TileMover::roll(Tile from, Tile target, Direction d) {
     if (write_pending_ && s > config_.read_radius_m / 2.0) {
       co_await hold_for_write(from);
     }
-    pilot_.follow(line, nudges > 0 ? config_.careful_speed_mps : config_.pace.speed_mps, aim);
+    pilot_.follow(line, nudges.any() ? config_.careful_speed_mps : config_.pace.speed_mps,
+                  nudges.aim_left_m());
     co_await io_.next;
   }
 }

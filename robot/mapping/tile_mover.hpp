@@ -20,8 +20,9 @@ enum class MoveEnd : std::uint8_t {
   kLost,       ///< no tag found anywhere near
 };
 
-/// Whether a detour leads through gaps that look a little too narrow.
-enum class Squeeze : std::uint8_t { kNo, kYes };
+/// Whether a detour leads through gaps that look too narrow: not; a little; or so much that only touch can
+/// tell, what was touched near the target before being forgotten.
+enum class Squeeze : std::uint8_t { kNo, kTight, kByTouch };
 
 /// Carries the robot from tag to tag, by straight moves between neighbours or by a detour, and keeps the
 /// map's tags and tiles true: a tag counts as visited when the antenna has read it where it should be.
@@ -82,7 +83,13 @@ class TileMover {
   Task<bool> creep_to(Vec2 p_M_m, TagWanted wanted);
   /// Back over the tag of at(), or of any known one. \returns false when none was found
   Task<bool> relocalise();
-  [[nodiscard]] std::vector<Vec2> way_to(Tile target) const;
+  /// Sets how narrow ways may be. \returns how many plans such a detour is worth
+  int dare(Squeeze squeeze);
+  [[nodiscard]] std::vector<Vec2> way(const Vec2& start_M_m, Tile target) const;
+  /// A visited tile from which a way to the target seems to lead.
+  [[nodiscard]] std::optional<Tile> base_for(Tile target) const;
+  /// By known passages, as far as they are open.
+  Task<> travel(Tile to);
   /// Plans and walks until the target's tag is read, nothing is left to try, or `plans_max` plans were
   /// spoilt.
   Task<MoveEnd> approach(Tile target, int plans_max);
@@ -91,9 +98,11 @@ class TileMover {
   Task<std::optional<MoveEnd>> walk(Tile target, std::vector<Vec2> corners);
   /// A tag met on the way of a detour: a new one is taken in, the target's ends the walk.
   std::optional<MoveEnd> pass_tag(TagUid tag, Tile target);
+  /// Lost for good: anywhere, until a known tag is met. \returns false when none was
+  Task<bool> wander();
   Task<> hold_for_write(Tile tile);
-  /// The visited tiles nearest to where the robot thinks it is, nearest first.
-  [[nodiscard]] std::vector<Tile> known_nearby() const;
+  /// The visited tiles, nearest first.
+  [[nodiscard]] std::vector<Tile> visited_by_distance(const Vec2& from_M_m) const;
   /// Back over the tag of `tile`. \returns false when nothing is in the field
   Task<bool> regain(Tile tile);
   /// What the tag just read means for a move towards `target`; nothing while it is the one the robot came
@@ -114,6 +123,7 @@ class TileMover {
   bool write_in_flight_{false};
   int write_attempts_{0};
   double clearance_m_{0.0};  ///< of the present detour
+  double inside_m_{0.0};
 };
 
 }  // namespace sensotwin::robot

@@ -9,8 +9,13 @@ namespace {
 
 /// Places tried to find a tag again that the robot has just been on: its middle and six round it.
 constexpr int kRegainPoints = 7;
-/// Rings, 11 cm apart, of the search of a robot that is lost: beyond the next tile's tags.
-constexpr int kRecoverRings = 12;
+/// Rings, 11 cm apart, of the search of a robot that is lost: as far as the next tile's tags.
+constexpr int kRecoverRings = 5;
+/// Then it wanders: straight until something stops it, each leg turned by the golden angle from the last,
+/// which comes near every direction and repeats none.
+constexpr int kWanderLegs = 120;
+constexpr double kWanderTurn_rad = 2.399963;
+constexpr double kWanderLeg_m = 2.0;
 /// Before that: known tags nearby that a robot that is lost drives to, and the plans it gives each.
 constexpr std::size_t kKnownTried = 8;
 constexpr int kPlansToKnown = 8;
@@ -123,30 +128,46 @@ Task<std::optional<MoveEnd>> TileMover::search(std::optional<Tile> from, Tile ta
   co_return std::nullopt;
 }
 
-std::vector<Tile> TileMover::known_nearby() const {
-  const Vec2 here = navigator_.pose().p_m;
+std::vector<Tile> TileMover::visited_by_distance(const Vec2& from_M_m) const {
   std::vector<Tile> tiles;
   for (const auto& [tile, tag] : map_.tiles()) {
     tiles.push_back(tile);
   }
   std::stable_sort(tiles.begin(), tiles.end(), [&](Tile a, Tile b) {
-    return (navigator_.centre_m(a) - here).squaredNorm() < (navigator_.centre_m(b) - here).squaredNorm();
+    return (navigator_.centre_m(a) - from_M_m).squaredNorm() <
+           (navigator_.centre_m(b) - from_M_m).squaredNorm();
   });
-  tiles.resize(std::min(tiles.size(), kKnownTried));
   return tiles;
 }
 
 Task<bool> TileMover::recover() {
-  for (const Tile tile : known_nearby()) {
+  dare(Squeeze::kNo);
+  std::vector<Tile> nearby = visited_by_distance(navigator_.pose().p_m);
+  nearby.resize(std::min(nearby.size(), kKnownTried));
+  for (const Tile tile : nearby) {
     const MoveEnd end = co_await approach(tile, kPlansToKnown);
     if (end == MoveEnd::kArrived) {
       co_return true;
     }
   }
+  const auto found = co_await search(std::nullopt, at_, kRecoverRings, TrustFloor::kYes);
+  if (found) {
+    co_return true;
+  }
+  const bool met = co_await wander();
+  co_return met;
+}
+
+Task<bool> TileMover::wander() {
   // What was felt from a wrong place may wall the robot in: at last only touch counts.
-  for (const TrustFloor trust : {TrustFloor::kYes, TrustFloor::kNo}) {
-    const auto found = co_await search(std::nullopt, at_, kRecoverRings, trust);
-    if (found) {
+  const TagWanted known_ones{.ignored = std::nullopt, .new_ones = false};
+  for (int leg = 0; leg < kWanderLegs; ++leg) {
+    const double yaw = wrap_angle(navigator_.pose().yaw_rad + kWanderTurn_rad);
+    const Vec2 there = navigator_.pose().p_m + kWanderLeg_m * Vec2{std::cos(yaw), std::sin(yaw)};
+    co_await creep_to(there, known_ones);
+    if (over_wanted(known_ones)) {
+      arrive(*map_.tile_of(*navigator_.tag_in_field()), *navigator_.tag_in_field(), false);
+      co_await pilot_.brake();
       co_return true;
     }
   }

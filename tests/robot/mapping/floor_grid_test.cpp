@@ -100,6 +100,26 @@ TEST(FloorGrid, ForbidsTheCentreWhereTheBumperWasPressed) {
   EXPECT_EQ(grid.revision(), 1u);
 }
 
+TEST(FloorGrid, ForgetsTouchesNearAPlaceAndKeepsThoseFarOff) {
+  FloorGrid grid;
+  const Vec2 far_m = kThere_m + Vec2{0.7, 0.0};
+  grid.forbid_centre(kThere_m);
+  grid.forbid_centre(far_m);
+  grid.forget_touches(kThere_m, 0.6);
+  EXPECT_FALSE(grid.centre_forbidden(FloorGrid::cell_at(kThere_m)));
+  EXPECT_TRUE(grid.centre_forbidden(FloorGrid::cell_at(far_m)));
+  EXPECT_EQ(grid.revision(), 3u);
+}
+
+TEST(FloorGrid, RemembersItsTrailUnderWhateverComesLater) {
+  FloorGrid grid;
+  EXPECT_FALSE(grid.trodden(FloorGrid::cell_at(kThere_m)));
+  grid.tread(kThere_m);
+  put_obstacle(grid, kThere_m);
+  grid.clear_disc(kThere_m, 0.14);
+  EXPECT_TRUE(grid.trodden(FloorGrid::cell_at(kThere_m)));
+}
+
 TEST(FloorGrid, KeepsForbiddenCentresUnderTheBodysEdgeButNotUnderItsMiddle) {
   FloorGrid grid;
   grid.forbid_centre(kThere_m);

@@ -108,6 +108,28 @@ TEST(AFloorPlan, IsEmptyWhenTheGoalIsWalledIn) {
   EXPECT_TRUE(plan_over_floor(grid, request()).empty());
 }
 
+TEST(AFloorPlan, FollowsTheRobotsOwnTrailThroughWhatNowSeemsShut) {
+  // Jambs seen a little too near from a place known badly; the robot has driven through between them.
+  FloorGrid grid = wall_with_gap(0, 9);
+  ASSERT_TRUE(plan_over_floor(grid, request()).empty());
+  for (int x = -20; x <= 20; ++x) {
+    grid.tread(FloorGrid::centre_m({x, 0}));
+  }
+  EXPECT_FALSE(plan_over_floor(grid, request()).empty());
+}
+
+TEST(AFloorPlan, PrefersAnyOpenWayToATrailThatSeemsShut) {
+  FloorGrid grid = wall_with_gap(0, 9);
+  for (int y = 20; y <= 60; ++y) {
+    grid.clear_disc(FloorGrid::centre_m({0, y}), FloorGrid::kCell_m);
+  }
+  for (int x = -20; x <= 20; ++x) {
+    grid.tread(FloorGrid::centre_m({x, 0}));
+  }
+  const auto corners = plan_over_floor(grid, request());
+  EXPECT_TRUE(std::any_of(corners.begin(), corners.end(), [](const Vec2& c) { return c.y() > 0.4; }));
+}
+
 TEST(AFloorPlan, IsEmptyWhenItsStartIsOutsideTheBox) {
   PlanRequest asked = request();
   asked.start_M_m.x() = -2.0;

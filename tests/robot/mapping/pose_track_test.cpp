@@ -119,14 +119,33 @@ TEST(APoseTrack, TakesTheCompassesWordForATurnOnTheSpot) {
   }
 }
 
-TEST(APoseTrack, GrowsUnsureWhileItTouchesSomething) {
+TEST(APoseTrack, GrowsUnsureByTheWayRolledWhileItTouchesSomething) {
   const OdometryModel model;
   PoseTrack track = surely_at({});
   for (int i = 0; i < 4; ++i) {
-    track.touch();
+    track.drive(0.005, 0.005, kPi / 2.0);
   }
-  EXPECT_NEAR(track.position_sigma_m(kX), 2.0 * model.touch_sigma_m, 1e-9);
-  EXPECT_NEAR(track.yaw_sigma_rad(), 2.0 * model.touch_sigma_rad, 1e-9);
+  EXPECT_NEAR(track.position_sigma_m(kY),
+              std::hypot(0.02 * model.touch_sigma_m_per_m, model.across_sigma_m * std::sqrt(0.02)), 1e-4);
+  EXPECT_GT(track.yaw_sigma_rad(), 0.02 * model.touch_sigma_rad_per_m);
+}
+
+TEST(APoseTrack, DoesNotGoIntoWhatItTouchesWhateverTheWheelsCount) {
+  PoseTrack ahead = surely_at({});
+  ahead.drive(0.01, 0.01, 0.0);
+  EXPECT_NEAR(ahead.pose().p_m.norm(), 0.0, 1e-12);
+
+  // At 45 degrees on the left, half the way is left, to the right along what is touched.
+  PoseTrack aslant = surely_at({});
+  aslant.drive(0.01, 0.01, kPi / 4.0);
+  EXPECT_NEAR(aslant.pose().p_m.x(), 0.005, 1e-12);
+  EXPECT_NEAR(aslant.pose().p_m.y(), -0.005, 1e-12);
+}
+
+TEST(APoseTrack, BacksAwayFromWhatItTouchesAsTheWheelsCount) {
+  PoseTrack track = surely_at({});
+  track.drive(-0.01, -0.01, 0.0);
+  EXPECT_NEAR(track.pose().p_m.x(), -0.01, 1e-12);
 }
 
 TEST(APoseTrack, LearnsFromPlacesAlongTheWayThatItsWheelsAreSmallerThanItThought) {

@@ -27,6 +27,7 @@ PhaseCommand FuzzyMission::step(const PhaseSensed& sensed) {
 Task<> FuzzyMission::run() {
   for (const Epc& destination : config_.destinations) {
     pairing_.follow(destination);
+    listen();  // what this step heard so far was of the last destination
     status_.pair.reset();
     leg_begun_ = sensed_.stamp;
     heard_at_ = sensed_.stamp;

@@ -51,11 +51,22 @@ FuzzyMissionConfig tuned_mission() {
   return config;
 }
 
-/// A step of a mission by hand: both antennas read this tag, the left one ahead by `difference_rad`.
+/// Both antennas read this tag at one instant, the left one ahead by `difference_rad`.
+std::vector<UhfRead> pair_of(Instant at, const Epc& tag, double difference_rad) {
+  UhfRead left;
+  left.at = at;
+  left.epc = tag;
+  left.antenna = 1;
+  left.phase_rad = 3.0 + difference_rad;
+  UhfRead right = left;
+  right.antenna = 2;
+  right.phase_rad = 3.0;
+  return {left, right};
+}
+
 PhaseCommand step_by_hand(FuzzyMission& mission, int at_ms, const Epc& tag, double difference_rad) {
   const Instant at = Instant{} + std::chrono::milliseconds{at_ms};
-  const std::vector<UhfRead> reads{{.at = at, .epc = tag, .antenna = 1, .phase_rad = 3.0 + difference_rad},
-                                   {.at = at, .epc = tag, .antenna = 2, .phase_rad = 3.0}};
+  const std::vector<UhfRead> reads = pair_of(at, tag, difference_rad);
   PhaseSensed sensed;
   sensed.stamp = at;
   sensed.reads = reads;
@@ -127,10 +138,10 @@ TEST(FuzzyMission, SteersToTheNextTagInTheVeryStepInWhichItArrives) {
   FuzzyMissionConfig config;
   config.destinations = {experiment_epc(0), experiment_epc(1)};
   FuzzyMission mission{config};
-  const std::vector<UhfRead> reads{{.epc = experiment_epc(0), .antenna = 1, .phase_rad = 3.0},
-                                   {.epc = experiment_epc(0), .antenna = 2, .phase_rad = 2.0},
-                                   {.epc = experiment_epc(1), .antenna = 1, .phase_rad = 1.0},
-                                   {.epc = experiment_epc(1), .antenna = 2, .phase_rad = 2.5}};
+  std::vector<UhfRead> reads = pair_of({}, experiment_epc(0), 1.0);
+  for (const UhfRead& read : pair_of({}, experiment_epc(1), -1.5)) {
+    reads.push_back(read);
+  }
   PhaseSensed sensed;
   sensed.reads = reads;
   sensed.floor_tag = experiment_epc(0);

@@ -2,6 +2,7 @@
 #include "robot/phase/phase_pairing.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 #include "robot/phase/phase_angle.hpp"
 
@@ -22,7 +23,7 @@ std::optional<PhasePair> PhasePairing::add(const UhfRead& read) {
   const std::size_t own = left ? 0 : 1;
   Side& side = sides_[own];
   Side& other = sides_[1 - own];
-  side.newest = Reading{read.at, read.channel, config_.phase_sign * read.phase_rad};
+  side.newest = Reading{read.at, read.channel, at_antenna_rad(read)};
   side.fresh = true;
   std::optional<PhasePair> pair;
   switch (config_.pairing) {
@@ -38,6 +39,11 @@ std::optional<PhasePair> PhasePairing::add(const UhfRead& read) {
   }
   other.before_other = other.newest;
   return pair;
+}
+
+double PhasePairing::at_antenna_rad(const UhfRead& read) const {
+  const double delay_s = read.antenna == config_.left_port ? config_.left_delay_s : config_.right_delay_s;
+  return config_.phase_sign * read.phase_rad - 2.0 * kPi * std::fmod(read.frequency_hz * delay_s, 1.0);
 }
 
 bool PhasePairing::together(const Reading& a, const Reading& b, Duration within) const {

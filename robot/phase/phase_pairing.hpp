@@ -30,6 +30,10 @@ struct PairingConfig {
   std::uint16_t right_port{2};
   double phase_sign{1.0};  ///< +1: the reader's phase grows with distance; -1: falls (data study, 3.2: R420)
   bool pi_ambiguous{false};  ///< the reader tells phases up to pi only
+  /// Delays of reader and cable per port, both ways together, as a calibration finds them (data study, 3.4:
+  /// 35 to 75 ns): what their difference adds to the phase difference looks like a tag to the side.
+  double left_delay_s{0.0};
+  double right_delay_s{0.0};
   /// Readings count as one instant within this. Chosen: 0.2 mm of way, a thousandth of a wavelength's turn.
   Duration same_instant{std::chrono::milliseconds{1}};
   /// Readings further apart are not combined. Chosen: twice the 100 ms slot with which 1-2-1 was found to
@@ -71,6 +75,8 @@ class PhasePairing {
     bool fresh{false};
     std::optional<Reading> before_other;
   };
+  /// The reading's phase at the antenna, growing with distance.
+  [[nodiscard]] double at_antenna_rad(const UhfRead& read) const;
   [[nodiscard]] bool together(const Reading& a, const Reading& b, Duration within) const;
   [[nodiscard]] double difference(double left_rad, double right_rad) const;
   [[nodiscard]] std::optional<PhasePair> of_newest(Duration within);

@@ -124,6 +124,17 @@ TEST(PhasePairing, TurnsThePhaseOfAReaderWhosePhaseFalls) {
   EXPECT_NEAR(pairs[0].difference_rad, -0.3, 1e-12);
 }
 
+// A lag of 2 pi f T in each cable, at a frequency where the two differ by 21 turns and a third.
+TEST(PhasePairing, TakesTheDelaysOfTheCablesOut) {
+  const double left_rad = 1.0 + 2.0 * kPi * 915e6 * 36.2e-9;
+  const double right_rad = 1.3 + 2.0 * kPi * 915e6 * 59.5e-9;
+  const auto pairs =
+      pairs_of({.left_delay_s = 36.2e-9, .right_delay_s = 59.5e-9},
+               {read_of(50, 1, std::fmod(left_rad, 2 * kPi)), read_of(50, 2, std::fmod(right_rad, 2 * kPi))});
+  ASSERT_EQ(pairs.size(), 1u);
+  EXPECT_NEAR(pairs[0].difference_rad, -0.3, 1e-9);
+}
+
 TEST(PhasePairing, ForgivesFlipsByPiWhenToldOf) {
   const auto pairs = pairs_of({.pairing = Pairing::kInterpolated, .pi_ambiguous = true},
                               {read_of(0, 1, 1.0), read_of(50, 2, 1.5 + kPi), read_of(100, 1, 1.4 + kPi)});

@@ -1,0 +1,365 @@
+// SPDX-License-Identifier: MIT
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <map>
+
+#include "render/label_placer.hpp"
+#include "render/phase_pictures.hpp"
+#include "render/plane_geometry.hpp"
+#include "render/scene_layers.hpp"
+#include "render/ticks.hpp"
+
+namespace sensotwin::render {
+namespace {
+
+constexpr Rgba kGridOnFloor{0x9A, 0xA5, 0xB1, 70};
+constexpr double kRibbon = 4.6;   ///< units: the driven path
+constexpr double kCasing = 7.2;   ///< units: its dark rim, which keeps pale colours visible
+constexpr double kDiamond = 9.5;  ///< units: half a tag's mark
+
+/// The plan under the brush.
+struct Plan {
+  Canvas& canvas;
+  const PhaseRunView& view;
+  RectPx plot;
+  double u{1.0};
+  Projection X;
+  double px_per_m{1.0};
+
+  [[nodiscard]] std::vector<Vec2> pixels(std::span<const Vec2> points_m) const {
+    std::vector<Vec2> out;
+    out.reserve(points_m.size());
+    for (const Vec2& p : points_m) {
+      out.push_back(X.pixel(p));
+    }
+    return out;
+  }
+};
+
+[[nodiscard]] std::array<Vec2, 4> diamond(const Vec2& c, double r) {
+  return {Vec2{c.x() + r, c.y()}, Vec2{c.x(), c.y() + r}, Vec2{c.x() - r, c.y()}, Vec2{c.x(), c.y() - r}};
+}
+
+void paint_diamond(Canvas& canvas, const Vec2& c, double u, bool missing) {
+  canvas.fill(diamond(c, (kDiamond + 3.0) * u), palette::kPaper);
+  canvas.fill(diamond(c, kDiamond * u), palette::kCeilingTag);
+  if (missing) {
+    canvas.fill(diamond(c, 0.55 * kDiamond * u), palette::kPaper);
+  }
+}
+
+void paint_start(Canvas& canvas, const Vec2& c, const Vec2& heading_px, double u) {
+  const Vec2 tip = c + 34.0 * u * heading_px;
+  const Vec2 aside{-heading_px.y(), heading_px.x()};
+  const Vec2 neck = tip - 13.0 * u * heading_px;
+  for (const auto& [grow, color] : {std::pair{3.0, palette::kPaper}, std::pair{0.0, palette::kBlue}}) {
+    canvas.line(c, neck, {(3.5 + 2.0 * grow) * u, color, 0.0});
+    const double wide = 7.5 * u + grow * u;
+    canvas.fill(std::array{Vec2(tip + 1.6 * grow * u * heading_px), Vec2(neck + wide * aside),
+                           Vec2(neck - grow * u * heading_px), Vec2(neck - wide * aside)},
+                color);
+  }
+  canvas.disc(c, 13.0 * u, palette::kPaper);
+  canvas.ring(c, 9.5 * u, {3.5 * u, palette::kBlue, 0.0});
+  canvas.disc(c, 4.0 * u, palette::kBlue);
+}
+
+void paint_robot(Canvas& canvas, const Vec2& c, double r, const Vec2& heading_px, double u) {
+  const Vec2 aside{-heading_px.y(), heading_px.x()};
+  canvas.disc(c, r + 2.5 * u, palette::kPaper);
+  canvas.disc(c, r, palette::kRobot);
+  canvas.fill(std::array{Vec2(c + 0.72 * r * heading_px), Vec2(c - 0.36 * r * heading_px + 0.48 * r * aside),
+                         Vec2(c - 0.14 * r * heading_px), Vec2(c - 0.36 * r * heading_px - 0.48 * r * aside)},
+              palette::kOrange);
+}
+
+[[nodiscard]] Vec2 heading_px(const Pose2& X) {
+  return {std::cos(X.yaw_rad), -std::sin(X.yaw_rad)};
+}
+
+void paint_floor_and_walls(const Plan& plan) {
+  SceneView scene;
+  scene.walls = plan.view.walls;
+  const WallView* room = room_of(scene);
+  if (room != nullptr) {
+    plan.canvas.fill(plan.pixels(room->points_m), palette::kFloor);
+  }
+  for (const WallView& wall : scene.walls) {
+    if (room != nullptr && encloses_matter(wall, *room)) {
+      plan.canvas.fill(plan.pixels(wall.points_m), palette::kMasonry);
+    }
+  }
+}
+
+void paint_walls(const Plan& plan) {
+  for (const WallView& wall : plan.view.walls) {
+    std::vector<Vec2> line = plan.pixels(wall.points_m);
+    if (wall.closed && !line.empty()) {
+      line.push_back(line.front());
+    }
+    plan.canvas.line(line, {5.0 * plan.u, palette::kWall, 0.0});
+  }
+}
+
+/// Metres along both sides, light lines across.
+void paint_axes(const Plan& plan) {
+  const RectPx& plot = plan.plot;
+  const double u = plan.u;
+  // Where the plot's corners are in W.
+  const Vec2 origin_px = plan.X.pixel(Vec2{0.0, 0.0});
+  const double left_m = (plot.x - origin_px.x()) / plan.px_per_m;
+  const double right_m = (plot.right() - origin_px.x()) / plan.px_per_m;
+  const double bottom_m = (origin_px.y() - plot.bottom()) / plan.px_per_m;
+  const double top_m = (origin_px.y() - plot.y) / plan.px_per_m;
+  const double every = 120.0 * u;
+  const TextStyle style{20.0 * u, palette::kSoftInk, false, Align::kCenter};
+  const auto wanted = static_cast<int>(std::max(2.0, std::max(plot.width, plot.height) / every));
+  // One spacing for both directions, so that the cells are square.
+  const bool flat = plot.width > plot.height;
+  const auto ticks = flat ? linear_ticks(left_m, right_m, wanted) : linear_ticks(bottom_m, top_m, wanted);
+  const double step = ticks.size() > 1 ? ticks[1].value - ticks[0].value : 1.0;
+  const auto each = [step](double low, double high, const auto& put) {
+    const int first = static_cast<int>(std::ceil(low / step - 1e-6));
+    for (int k = first; k * step <= high + 1e-6 * step; ++k) {
+      put(k * step, plain_number(k * step));
+    }
+  };
+  each(left_m, right_m, [&](double value, const std::string& label) {
+    const double x = origin_px.x() + value * plan.px_per_m;
+    plan.canvas.line({x, plot.y}, {x, plot.bottom()}, {1.5 * u, kGridOnFloor, 0.0});
+    plan.canvas.text({x, plot.bottom() + 20.0 * u}, label, style);
+  });
+  each(bottom_m, top_m, [&](double value, const std::string& label) {
+    const double y = origin_px.y() - value * plan.px_per_m;
+    plan.canvas.line({plot.x, y}, {plot.right(), y}, {1.5 * u, kGridOnFloor, 0.0});
+    TextStyle right = style;
+    right.align = Align::kRight;
+    plan.canvas.text({plot.x - 12.0 * u, y}, label, right);
+  });
+}
+
+[[nodiscard]] std::vector<Vec2> ideal_px(const Plan& plan) {
+  std::vector<Vec2> line = plan.pixels(plan.view.ideal_m);
+  if (plan.view.ideal_closed && !line.empty()) {
+    line.push_back(line.front());
+  }
+  return line;
+}
+
+/// Stretches of one colour, so that a hundred thousand points cost a few hundred strokes and no seam shows.
+void paint_driven(const Plan& plan) {
+  const std::vector<TimedPoint> path = thinned(plan.view.driven, 0.5 / plan.px_per_m);
+  const RunColors colors(plan.view);
+  std::vector<Vec2> line;
+  for (const TimedPoint& point : path) {
+    line.push_back(plan.X.pixel(point.p_m));
+  }
+  plan.canvas.line(line, {kCasing * plan.u, palette::kInk, 0.0});
+  for (std::size_t i = 0; i + 1 < line.size();) {
+    const Rgba color = colors.at(path[i + 1].t_s);
+    std::size_t end = i + 1;
+    while (end + 1 < line.size() && colors.at(path[end + 1].t_s) == color) {
+      ++end;
+    }
+    plan.canvas.line(std::span(line).subspan(i, end - i + 1), {kRibbon * plan.u, color, 0.0});
+    i = end;
+  }
+}
+
+/// Rings of earlier estimates, thinned to those that tell something new, below the last one of each tag.
+void paint_estimates(const Plan& plan) {
+  std::map<std::string, const TagEstimateView*> last;
+  for (const TagEstimateView& estimate : plan.view.estimates) {
+    last[estimate.name] = &estimate;
+  }
+  std::map<std::string, double> ring_m;
+  const double widest_m = 0.25 * std::min(plan.plot.width, plan.plot.height) / plan.px_per_m;
+  const double thinnest_m = 14.0 * plan.u / plan.px_per_m;
+  for (const TagEstimateView& estimate : plan.view.estimates) {
+    const Ellipse ellipse = ellipse_of(estimate.covariance_m2);
+    const auto [drawn, first] = ring_m.try_emplace(estimate.name, 1e9);
+    // Chosen: a fifth smaller than the last ring can be told from it.
+    if (&estimate != last[estimate.name] && ellipse.major_m < widest_m && ellipse.major_m > thinnest_m &&
+        ellipse.major_m < 0.8 * drawn->second) {
+      drawn->second = ellipse.major_m;
+      plan.canvas.line(plan.pixels(ellipse_outline(estimate.at_m, ellipse)),
+                       {1.6 * plan.u, palette::kCeilingTag.with_alpha(110), 0.0});
+    }
+  }
+  for (const auto& [name, estimate] : last) {
+    const std::vector<Vec2> rim =
+        plan.pixels(ellipse_outline(estimate->at_m, ellipse_of(estimate->covariance_m2)));
+    plan.canvas.fill(rim, palette::kCeilingTag.with_alpha(38));
+    plan.canvas.line(rim, {2.4 * plan.u, palette::kCeilingTag, 0.0});
+  }
+}
+
+void paint_cross(Canvas& canvas, const Vec2& c, double u) {
+  for (const auto& [width, color] : {std::pair{6.0, palette::kPaper}, std::pair{2.6, palette::kInk}}) {
+    canvas.line(c + Vec2{-8.0, -8.0} * u, c + Vec2{8.0, 8.0} * u, {width * u, color, 0.0});
+    canvas.line(c + Vec2{-8.0, 8.0} * u, c + Vec2{8.0, -8.0} * u, {width * u, color, 0.0});
+  }
+}
+
+void paint_marks(const Plan& plan) {
+  for (const PhaseTagView& tag : plan.view.tags) {
+    paint_diamond(plan.canvas, plan.X.pixel(tag.at_m), plan.u, tag.missing);
+  }
+  std::map<std::string, const TagEstimateView*> last;
+  for (const TagEstimateView& estimate : plan.view.estimates) {
+    last[estimate.name] = &estimate;
+  }
+  for (const auto& [name, estimate] : last) {
+    paint_cross(plan.canvas, plan.X.pixel(estimate->at_m), 0.8 * plan.u);
+  }
+  if (plan.view.start) {
+    paint_start(plan.canvas, plan.X.pixel(plan.view.start->p_m), heading_px(*plan.view.start), plan.u);
+  }
+  if (plan.view.end) {
+    // Never smaller than can be seen.
+    const double r = std::max(plan.view.robot_radius_m * plan.px_per_m, 11.0 * plan.u);
+    paint_robot(plan.canvas, plan.X.pixel(plan.view.end->p_m), r, heading_px(*plan.view.end), plan.u);
+  }
+}
+
+void paint_names(const Plan& plan) {
+  LabelPlacer placer({plan.plot.x, plan.plot.y, plan.plot.width, plan.plot.height});
+  const double u = plan.u;
+  const auto clear = [&](const Vec2& c, double r) {
+    placer.keep_clear({c.x() - r, c.y() - r, 2 * r, 2 * r});
+  };
+  for (const PhaseTagView& tag : plan.view.tags) {
+    clear(plan.X.pixel(tag.at_m), kDiamond * u);
+  }
+  if (plan.view.start) {
+    clear(plan.X.pixel(plan.view.start->p_m), 12.0 * u);
+    clear(plan.X.pixel(plan.view.start->p_m) + 26.0 * u * heading_px(*plan.view.start), 10.0 * u);
+  }
+  if (plan.view.end) {
+    clear(plan.X.pixel(plan.view.end->p_m), std::max(plan.view.robot_radius_m * plan.px_per_m, 11.0 * u));
+  }
+  placer.avoid(ideal_px(plan));
+  std::vector<Vec2> driven;
+  for (const TimedPoint& point : thinned(plan.view.driven, 4.0 * u / plan.px_per_m)) {
+    driven.push_back(plan.X.pixel(point.p_m));
+  }
+  placer.avoid(driven);
+  for (const WallView& wall : plan.view.walls) {
+    placer.avoid(plan.pixels(wall.points_m));
+  }
+  // Many names are written smaller.
+  const double size = (plan.view.tags.size() > 24 ? 18.0 : 22.0) * u;
+  const TextStyle style{size, palette::kCeilingTag, true, Align::kLeft, 0.0, palette::kPaper.with_alpha(235)};
+  for (const PhaseTagView& tag : plan.view.tags) {
+    if (tag.name.empty()) {
+      continue;
+    }
+    const Vec2 at = plan.X.pixel(tag.at_m);
+    const double width = plan.canvas.width_of(tag.name, style);
+    const auto place = placer.place(at, (kDiamond + 5.0) * u, {width, 0.9 * size});
+    if (place.far) {
+      plan.canvas.line(at, leader_end(place, at), {1.5 * u, palette::kCeilingTag.with_alpha(150), 0.0});
+      paint_diamond(plan.canvas, at, u, tag.missing);
+    }
+    plan.canvas.text({place.box.x, place.box.center().y()}, tag.name, style);
+  }
+}
+
+}  // namespace
+
+namespace phase {
+
+Projection paint_plan(Canvas& canvas, const PhaseRunView& view, const RectPx& plot, double u) {
+  const Extent extent = extent_of(view);
+  // Room for marks and names at the rim.
+  const double border = 44.0 * u;
+  const double px_per_m = std::min((plot.width - 2.0 * border) / extent.size_m().x(),
+                                   (plot.height - 2.0 * border) / extent.size_m().y());
+  Plan plan{canvas, view, plot, u, Projection::top(extent.center_m(), plot.center(), px_per_m), px_per_m};
+  canvas.clip(plot);
+  paint_floor_and_walls(plan);
+  canvas.unclip();
+  paint_axes(plan);
+  canvas.clip(plot);
+  paint_walls(plan);
+  paint_estimates(plan);
+  paint_driven(plan);
+  canvas.line(ideal_px(plan), {2.2 * u, palette::kInk, 11.0 * u});
+  paint_marks(plan);
+  paint_names(plan);
+  canvas.unclip();
+  return plan.X;
+}
+
+std::vector<FlowItem> plan_legend(const PhaseRunView& view) {
+  std::vector<FlowItem> items;
+  const ChartRange span = counted_span_s(view);
+  const Vec2 half{18.0, 0.0};
+  if (!view.ideal_m.empty()) {
+    items.push_back({"ideal path", [half](Canvas& canvas, const Vec2& c, double u) {
+                       canvas.line(c - half * u, c + half * u, {2.4 * u, palette::kInk, 8.0 * u});
+                     }});
+  }
+  if (!view.driven.empty()) {
+    const bool by_time = view.coloring == PathColoring::kTime;
+    const std::string text = by_time ? fmt::format("driven, {:.0f} to {:.0f} s", span.low, span.high)
+                                     : std::string("driven, a colour a segment");
+    items.push_back({text, [half, by_time](Canvas& canvas, const Vec2& c, double u) {
+                       canvas.line(c - half * u, c + half * u, {10.0 * u, palette::kInk, 0.0});
+                       const int n = by_time ? 18 : 3;
+                       for (int i = 0; i < n; ++i) {
+                         const Vec2 step = 2.0 * half * u / n;
+                         canvas.line(
+                             c - half * u + i * step, c - half * u + (i + 1) * step,
+                             {7.0 * u,
+                              by_time ? time_color((i + 0.5) / n) : turn_color(static_cast<std::size_t>(i)),
+                              0.0});
+                       }
+                     }});
+  }
+  if (!view.driven.empty() && span.low > view.driven.front().t_s) {
+    items.push_back({"way there, not counted", [half](Canvas& canvas, const Vec2& c, double u) {
+                       canvas.line(c - half * u, c + half * u, {10.0 * u, palette::kInk, 0.0});
+                       canvas.line(c - half * u, c + half * u, {7.0 * u, palette::kHairline, 0.0});
+                     }});
+  }
+  const auto missing = [](const PhaseTagView& tag) { return tag.missing; };
+  if (!std::all_of(view.tags.begin(), view.tags.end(), missing)) {
+    items.push_back({"below a ceiling tag",
+                     [](Canvas& canvas, const Vec2& c, double u) { paint_diamond(canvas, c, u, false); }});
+  }
+  if (std::any_of(view.tags.begin(), view.tags.end(), missing)) {
+    items.push_back(
+        {"missing tag", [](Canvas& canvas, const Vec2& c, double u) { paint_diamond(canvas, c, u, true); }});
+  }
+  if (!view.estimates.empty()) {
+    items.push_back({"its estimate, 95 %", [](Canvas& canvas, const Vec2& c, double u) {
+                       std::vector<Vec2> rim = ellipse_outline(c, {17.0 * u, 11.0 * u, 0.0});
+                       canvas.fill(rim, palette::kCeilingTag.with_alpha(38));
+                       canvas.line(rim, {2.4 * u, palette::kCeilingTag, 0.0});
+                       paint_cross(canvas, c, 0.7 * u);
+                     }});
+  }
+  if (!view.walls.empty()) {
+    items.push_back({"wall", [half](Canvas& canvas, const Vec2& c, double u) {
+                       canvas.line(c - half * u, c + half * u, {5.0 * u, palette::kWall, 0.0});
+                     }});
+  }
+  if (view.start) {
+    items.push_back({"start", [](Canvas& canvas, const Vec2& c, double u) {
+                       paint_start(canvas, c - Vec2{9.0, 0.0} * u, {1.0, 0.0}, 0.8 * u);
+                     }});
+  }
+  if (view.end) {
+    items.push_back({"end", [](Canvas& canvas, const Vec2& c, double u) {
+                       paint_robot(canvas, c, 13.0 * u, {1.0, 0.0}, u);
+                     }});
+  }
+  return items;
+}
+
+}  // namespace phase
+}  // namespace sensotwin::render

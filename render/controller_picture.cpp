@@ -4,7 +4,6 @@
 #include <cmath>
 
 #include "render/chart_style.hpp"
-#include "render/label_placer.hpp"
 #include "render/phase_charts.hpp"
 
 namespace sensotwin::render {
@@ -54,6 +53,29 @@ namespace {
   return {0.5 * (first + last), most};
 }
 
+/// Each in the middle over its set's top; beside another name when two tops are one.
+void paint_set_names(Canvas& canvas, const std::vector<FuzzySetView>& sets, const Panel& panel) {
+  const double u = panel.unit_px;
+  std::vector<RectPx> taken;
+  for (const FuzzySetView& set : sets) {
+    if (set.corners.empty()) {
+      continue;
+    }
+    const TextStyle style{23.0 * u, rule_color(set.rule), true, Align::kCenter};
+    const Vec2 at = panel.pixel(top_of(set));
+    const double width = canvas.width_of(set.name, style);
+    RectPx box{at.x() - width / 2.0, at.y() - 34.0 * u, width, 22.0 * u};
+    box.x = std::clamp(box.x, panel.plot.x, std::max(panel.plot.x, panel.plot.right() - width));
+    for (const RectPx& other : taken) {
+      if (box.overlaps(other)) {
+        box.x = other.right() + 12.0 * u;
+      }
+    }
+    taken.push_back(box);
+    canvas.text(box.center(), set.name, style);
+  }
+}
+
 void paint_sets(Canvas& canvas, const std::vector<FuzzySetView>& sets, const Panel& panel) {
   const double u = panel.unit_px;
   draw_panel(canvas, panel);
@@ -71,20 +93,7 @@ void paint_sets(Canvas& canvas, const std::vector<FuzzySetView>& sets, const Pan
     canvas.fill(area, rule_color(set.rule).with_alpha(34));
     canvas.line(line, {4.0 * u, rule_color(set.rule), 0.0});
   }
-  LabelPlacer placer({panel.plot.x - 30.0 * u, panel.plot.y - 60.0 * u, panel.plot.width + 60.0 * u,
-                      panel.plot.height + 60.0 * u});
-  for (const FuzzySetView& set : sets) {
-    if (set.corners.empty()) {
-      continue;
-    }
-    const TextStyle style{23.0 * u, rule_color(set.rule), true, Align::kCenter};
-    const Vec2 at = panel.pixel(top_of(set));
-    const double width = canvas.width_of(set.name, style);
-    // Above the top; beside another name when two tops are one.
-    RectPx box{at.x() - width / 2.0, at.y() - 34.0 * u, width, 22.0 * u};
-    const auto place = placer.place(box.center(), 0.0, {width, box.height});
-    canvas.text(place.box.center(), set.name, style);
-  }
+  paint_set_names(canvas, sets, panel);
 }
 
 void paint_curves(Canvas& canvas, const FuzzyControllerView& view, const Panel& panel) {
@@ -166,7 +175,8 @@ Rendered<PanelPicture> draw_controller(const FuzzyControllerView& view, int widt
   const std::vector<FlowItem> rules = rules_of(view);
   draw_flow_legend(canvas, {48.0 * u, 126.0 * u, 800.0 * u, 0.0}, u, rules);
   draw_flow_legend(canvas, {848.0 * u, 126.0 * u, 704.0 * u, 0.0}, u, legend_of(view));
-  const Axis membership{"membership", false, ChartRange{0.0, 1.0}};
+  // The names stand in the quarter above full membership.
+  const Axis membership{"membership", false, ChartRange{0.0, 1.25}};
   PanelPicture picture;
   picture.panels = {{{112.0 * u, 250.0 * u, 620.0 * u, 230.0 * u},
                      {view.input_label, false, range_of(view.inputs)},

@@ -45,8 +45,8 @@ struct Believed {
     reach.push_back((last.at_m - one.tag->at_m).norm() + ellipse_of(last.covariance_m2).major_m);
   }
   std::sort(reach.begin(), reach.end());
-  const double wanted =
-      2.2 * reach[(reach.size() * 9) / 10 == reach.size() ? reach.size() - 1 : (reach.size() * 9) / 10];
+  const std::size_t ninth = std::min(reach.size() - 1, reach.size() * 9 / 10);
+  const double wanted = 1.7 * reach[ninth];
   return std::max(wanted, 0.01);
 }
 
@@ -67,8 +67,8 @@ void paint_tag(Canvas& canvas, const Believed& one, const RectPx& box, double px
     track.push_back(at(estimate->at_m));
     const Ellipse ellipse = ellipse_of(estimate->covariance_m2);
     const bool last = estimate == one.estimates.back();
-    // A tenth smaller than the ring before can be told from it.
-    if (!last && ellipse.major_m > 0.9 * drawn_m) {
+    // A fifth smaller than the ring before can be told from it.
+    if (!last && ellipse.major_m > 0.8 * drawn_m) {
       continue;
     }
     drawn_m = ellipse.major_m;

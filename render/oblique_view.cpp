@@ -4,7 +4,9 @@
 #include <array>
 #include <cmath>
 
+#include "render/label_placer.hpp"
 #include "render/scene_picture.hpp"
+#include "render/ticks.hpp"
 
 namespace sensotwin::render {
 namespace {
@@ -24,6 +26,13 @@ constexpr double kWallThickness_m = 0.07;
 constexpr Rgba kWallFace = rgb(0xEDF1F5);
 constexpr Rgba kWallTop = rgb(0x5B6672);
 constexpr Rgba kWood = rgb(0xC99E63);
+
+/// The floor of a view without walls.
+[[nodiscard]] std::pair<Vec2, Vec2> open_floor(const SceneView& view) {
+  const Extent extent = extent_of(view);
+  const double rim_m = std::max(0.3, 0.06 * extent.size_m().maxCoeff());
+  return {extent.min_m - Vec2{rim_m, rim_m}, extent.max_m + Vec2{rim_m, rim_m}};
+}
 
 struct Scene3d {
   Mesh ground;  ///< painted on the floor, in order
@@ -154,7 +163,41 @@ void add_walls(Scene3d& scene, const SceneView& view) {
   }
 }
 
-void add_robot(Scene3d& scene, const RobotView& robot) {
+/// In a hall the robot would be a speck: it is drawn 12 lines in radius at least, with all that is on it.
+[[nodiscard]] double robot_scale(const Scene3d& scene, const RobotView& robot) {
+  return robot.radius_m > 0.0 ? std::max(1.0, 12.0 * scene.line_m() / robot.radius_m) : 1.0;
+}
+
+/// Patches on the robot's lid, each on a mast as high as it is mounted.
+void add_antennas(Scene3d& scene, const RobotView& robot, double scale) {
+  for (const AntennaView& antenna : robot.antennas) {
+    const Vec2 at = robot.X_WR * Vec2(scale * antenna.at_m);
+    const double top_m = std::max(scale * antenna.height_m, scale * robot.height_m + 0.01);
+    // A patch antenna on a Roomba is about 7 cm wide.
+    const Polygon patch = square(at, 0.07 * scale, robot.X_WR.yaw_rad);
+    scene.solid.prism(patch, top_m, top_m + 0.02 * scale, palette::kSky);
+    edges_around(scene, patch, top_m + 0.02 * scale, 1.2, palette::kInk);
+    scene.solid.prism(square(at, 0.02 * scale, robot.X_WR.yaw_rad), 0.0, top_m, palette::kInk);
+  }
+}
+
+/// From the antennas to the tag that is headed for.
+void add_rays(Scene3d& scene, const SceneView& view, double scale) {
+  if (!view.robot || !view.target_tag || *view.target_tag >= view.ceiling_tags.size()) {
+    return;
+  }
+  const CeilingTagView& tag = view.ceiling_tags[*view.target_tag];
+  for (const AntennaView& antenna : view.robot->antennas) {
+    const Vec3 from = lifted(view.robot->X_WR * Vec2(scale * antenna.at_m), scale * antenna.height_m + 0.02);
+    edge(scene, scene.glass, from, lifted(tag.at_m, tag.height_m), 2.4, palette::kVermilion);
+  }
+}
+
+void add_robot(Scene3d& scene, const RobotView& true_robot) {
+  RobotView robot = true_robot;
+  const double scale = robot_scale(scene, robot);
+  robot.radius_m *= scale;
+  robot.height_m *= scale;
   const Vec2& p = robot.X_WR.p_m;
   const CircleView body{p, robot.radius_m};
   const double top_m = robot.height_m;
@@ -165,6 +208,7 @@ void add_robot(Scene3d& scene, const RobotView& robot) {
   const Polygon arrow{robot.X_WR * Vec2{0.72 * r, 0.0}, robot.X_WR * Vec2{-0.36 * r, 0.48 * r},
                       robot.X_WR * Vec2{-0.14 * r, 0.0}, robot.X_WR * Vec2{-0.36 * r, -0.48 * r}};
   scene.solid.fill(arrow, palette::kOrange, top_m + 0.008);
+  add_antennas(scene, true_robot, scale);
 }
 
 void add_ceiling_tags(Scene3d& scene, const SceneView& view) {
@@ -182,6 +226,23 @@ void add_ceiling_tags(Scene3d& scene, const SceneView& view) {
   }
 }
 
+/// Without a room the things would hang in the air: a floor a little larger than they are, with a grid of
+/// round lengths.
+void add_open_floor(Scene3d& scene, const SceneView& view) {
+  const auto [low, high] = open_floor(view);
+  scene.ground.fill(std::array{low, Vec2{high.x(), low.y()}, high, Vec2{low.x(), high.y()}}, palette::kFloor);
+  const double step = round_length_below(140.0 * scene.line_m());
+  const auto line = [&](const Vec2& from, const Vec2& to) {
+    scene.ground.stroke(std::array{from, to}, false, 1.5 * scene.line_m(), palette::kHairline);
+  };
+  for (double x = std::ceil(low.x() / step) * step; x <= high.x(); x += step) {
+    line({x, low.y()}, {x, high.y()});
+  }
+  for (double y = std::ceil(low.y() / step) * step; y <= high.y(); y += step) {
+    line({low.x(), y}, {high.x(), y});
+  }
+}
+
 [[nodiscard]] Scene3d build(const SceneView& view, const Vec3& eye_m, double px_per_m, double line_px,
                             TileStyle style) {
   Scene3d scene;
@@ -189,12 +250,17 @@ void add_ceiling_tags(Scene3d& scene, const SceneView& view) {
   scene.px_per_m = px_per_m;
   scene.line_px = line_px;
   layers::floor(scene.ground, view);
+  if (room_of(view) == nullptr && view.tiles.empty()) {
+    add_open_floor(scene, view);
+  }
   layers::tiles(scene.ground, view, px_per_m, line_px, style);
   layers::ground_marks(scene.ground, view, px_per_m, line_px);
   for (const FurnitureView& piece : view.furniture) {
     add_furniture(scene, piece);
   }
+  layers::estimates(scene.ground, view, px_per_m, line_px);
   layers::trajectory(scene.ground, view, px_per_m, line_px, 0.0);
+  layers::ideal_path(scene.ground, view, px_per_m, line_px);
   if (view.start) {
     scene.ground.disc({view.start->p_m, 13.0 * scene.line_m()}, palette::kPaper);
     scene.ground.ring({view.start->p_m, 11.0 * scene.line_m()}, 3.5 * scene.line_m(), palette::kBlue);
@@ -212,6 +278,7 @@ void add_ceiling_tags(Scene3d& scene, const SceneView& view) {
   add_ceiling_tags(scene, view);
   if (view.robot) {
     add_robot(scene, *view.robot);
+    add_rays(scene, view, robot_scale(scene, *view.robot));
   }
   return scene;
 }
@@ -227,6 +294,12 @@ void add_ceiling_tags(Scene3d& scene, const SceneView& view) {
     high = high.cwiseMax(p);
   };
   const Extent extent = extent_of(view);
+  if (room_of(view) == nullptr && view.tiles.empty()) {
+    const auto [from, to] = open_floor(view);
+    for (const Vec2& p : {from, to, Vec2{from.x(), to.y()}, Vec2{to.x(), from.y()}}) {
+      add(p, 0.0);
+    }
+  }
   const std::vector<Vec2> outline = outline_of(view);
   // Fewer than three corners span nothing: a metre around them does.
   for (const Vec2& p : outline.size() < 3 ? square(extent.center_m(), 1.0, 0.0) : outline) {
@@ -249,8 +322,33 @@ void add_ceiling_tags(Scene3d& scene, const SceneView& view) {
   return {low, high};
 }
 
+/// Beside their tags, off each other's tags, names and plumb lines.
+void draw_tag_names(Canvas& canvas, const SceneView& view, const Projection& X, const RectPx& plot,
+                    double u) {
+  LabelPlacer placer({plot.x - 30.0 * u, plot.y - 24.0 * u, plot.width + 60.0 * u, plot.height + 40.0 * u});
+  const double mark = 10.0 * u;
+  for (const CeilingTagView& tag : view.ceiling_tags) {
+    const Vec2 at = X.pixel(lifted(tag.at_m, tag.height_m));
+    placer.keep_clear({at.x() - mark, at.y() - mark, 2.0 * mark, 2.0 * mark});
+    placer.avoid(std::array{at, X.pixel(tag.at_m)});
+  }
+  const double size = (view.ceiling_tags.size() > 24 ? 18.0 : 20.0) * u;
+  const TextStyle style{size, palette::kInk, false, Align::kLeft, 0.0, palette::kPaper.with_alpha(225)};
+  for (const CeilingTagView& tag : view.ceiling_tags) {
+    if (tag.label.empty()) {
+      continue;
+    }
+    const Vec2 at = X.pixel(lifted(tag.at_m, tag.height_m));
+    const auto place = placer.place(at, 16.0 * u, {canvas.width_of(tag.label, style), 0.9 * size});
+    if (place.far) {
+      canvas.line(at, leader_end(place, at), {1.5 * u, palette::kCeilingTag.with_alpha(150), 0.0});
+    }
+    canvas.text({place.box.x, place.box.center().y()}, tag.label, style);
+  }
+}
+
 /// Names stand on the tops of the pieces, where nothing hides them from above.
-void draw_names(Canvas& canvas, const SceneView& view, const Projection& X, double u) {
+void draw_names(Canvas& canvas, const SceneView& view, const Projection& X, const RectPx& plot, double u) {
   for (const FurnitureView& piece : view.furniture) {
     const Polygon outline = footprint(piece);
     if (piece.name.empty() || outline.size() < 3) {
@@ -270,12 +368,7 @@ void draw_names(Canvas& canvas, const SceneView& view, const Projection& X, doub
       canvas.text((low + high) / 2.0, piece.name, style);
     }
   }
-  for (const CeilingTagView& tag : view.ceiling_tags) {
-    if (!tag.label.empty()) {
-      canvas.text(X.pixel(lifted(tag.at_m, tag.height_m)) + Vec2{16.0 * u, 0.0}, tag.label,
-                  {19.0 * u, palette::kInk, false, Align::kLeft, 0.0, palette::kPaper.with_alpha(220)});
-    }
-  }
+  draw_tag_names(canvas, view, X, plot, u);
 }
 
 }  // namespace
@@ -319,7 +412,7 @@ Rendered<Picture> draw_oblique_view(OffscreenContext& context, const SceneView& 
     return Unexpected{image.error()};
   }
   Canvas canvas = Canvas::over(*image);
-  draw_names(canvas, view, picture.pixel_from_W, u);
+  draw_names(canvas, view, picture.pixel_from_W, picture.plot, u);
   draw_heading(canvas, sheet, view);
   draw_legend(canvas, sheet, view, legend_of(view, options.tiles), options.tiles);
   picture.scale_bar = scale_bar_for(sheet, px_per_m);

@@ -51,8 +51,9 @@ void paint_diamond(Canvas& canvas, const Vec2& c, double u, bool missing) {
   }
 }
 
-void paint_start(Canvas& canvas, const Vec2& c, const Vec2& heading_px, double u) {
-  const Vec2 tip = c + 34.0 * u * heading_px;
+/// `ring` is 9.5 units, or more around a robot that ended where it began.
+void paint_start(Canvas& canvas, const Vec2& c, const Vec2& heading_px, double ring, double u) {
+  const Vec2 tip = c + (ring + 24.5 * u) * heading_px;
   const Vec2 aside{-heading_px.y(), heading_px.x()};
   const Vec2 neck = tip - 13.0 * u * heading_px;
   for (const auto& [grow, color] : {std::pair{3.0, palette::kPaper}, std::pair{0.0, palette::kBlue}}) {
@@ -62,8 +63,8 @@ void paint_start(Canvas& canvas, const Vec2& c, const Vec2& heading_px, double u
                            Vec2(neck - grow * u * heading_px), Vec2(neck - wide * aside)},
                 color);
   }
-  canvas.disc(c, 13.0 * u, palette::kPaper);
-  canvas.ring(c, 9.5 * u, {3.5 * u, palette::kBlue, 0.0});
+  canvas.disc(c, ring + 3.5 * u, palette::kPaper);
+  canvas.ring(c, ring, {3.5 * u, palette::kBlue, 0.0});
   canvas.disc(c, 4.0 * u, palette::kBlue);
 }
 
@@ -80,7 +81,23 @@ void paint_robot(Canvas& canvas, const Vec2& c, double r, const Vec2& heading_px
   return {std::cos(X.yaw_rad), -std::sin(X.yaw_rad)};
 }
 
-void paint_floor_and_walls(const Plan& plan) {
+/// Never smaller than can be seen.
+[[nodiscard]] double robot_radius_px(const Plan& plan) {
+  return std::max(plan.view.robot_radius_m * plan.px_per_m, 11.0 * plan.u);
+}
+
+/// Around the robot when it came back, so that neither hides the other.
+[[nodiscard]] double start_ring_px(const Plan& plan) {
+  const double small = 9.5 * plan.u;
+  if (!plan.view.end) {
+    return small;
+  }
+  const double apart = plan.px_per_m * (plan.view.end->p_m - plan.view.start->p_m).norm();
+  const double around = robot_radius_px(plan) + 8.0 * plan.u;
+  return apart < around + small ? std::max(small, around + std::min(apart, small)) : small;
+}
+
+void paint_floor(const Plan& plan) {
   SceneView scene;
   scene.walls = plan.view.walls;
   const WallView* room = room_of(scene);
@@ -114,13 +131,9 @@ void paint_axes(const Plan& plan) {
   const double right_m = (plot.right() - origin_px.x()) / plan.px_per_m;
   const double bottom_m = (origin_px.y() - plot.bottom()) / plan.px_per_m;
   const double top_m = (origin_px.y() - plot.y) / plan.px_per_m;
-  const double every = 120.0 * u;
   const TextStyle style{20.0 * u, palette::kSoftInk, false, Align::kCenter};
-  const auto wanted = static_cast<int>(std::max(2.0, std::max(plot.width, plot.height) / every));
-  // One spacing for both directions, so that the cells are square.
-  const bool flat = plot.width > plot.height;
-  const auto ticks = flat ? linear_ticks(left_m, right_m, wanted) : linear_ticks(bottom_m, top_m, wanted);
-  const double step = ticks.size() > 1 ? ticks[1].value - ticks[0].value : 1.0;
+  // One spacing for both directions, so that the cells are square; 65 to 160 units apart.
+  const double step = round_length_below(160.0 * u / plan.px_per_m);
   const auto each = [step](double low, double high, const auto& put) {
     const int first = static_cast<int>(std::ceil(low / step - 1e-6));
     for (int k = first; k * step <= high + 1e-6 * step; ++k) {
@@ -139,6 +152,7 @@ void paint_axes(const Plan& plan) {
     right.align = Align::kRight;
     plan.canvas.text({plot.x - 12.0 * u, y}, label, right);
   });
+  plan.canvas.text({plot.x - 22.0 * u, plot.bottom() + 20.0 * u}, "m", style);
 }
 
 [[nodiscard]] std::vector<Vec2> ideal_px(const Plan& plan) {
@@ -176,17 +190,17 @@ void paint_estimates(const Plan& plan) {
     last[estimate.name] = &estimate;
   }
   std::map<std::string, double> ring_m;
-  const double widest_m = 0.25 * std::min(plan.plot.width, plan.plot.height) / plan.px_per_m;
+  const double widest_m = 0.16 * std::min(plan.plot.width, plan.plot.height) / plan.px_per_m;
   const double thinnest_m = 14.0 * plan.u / plan.px_per_m;
   for (const TagEstimateView& estimate : plan.view.estimates) {
     const Ellipse ellipse = ellipse_of(estimate.covariance_m2);
     const auto [drawn, first] = ring_m.try_emplace(estimate.name, 1e9);
-    // Chosen: a fifth smaller than the last ring can be told from it.
+    // Chosen: a third smaller than the last ring can be told from it without a thicket.
     if (&estimate != last[estimate.name] && ellipse.major_m < widest_m && ellipse.major_m > thinnest_m &&
-        ellipse.major_m < 0.8 * drawn->second) {
+        ellipse.major_m < 0.67 * drawn->second) {
       drawn->second = ellipse.major_m;
       plan.canvas.line(plan.pixels(ellipse_outline(estimate.at_m, ellipse)),
-                       {1.6 * plan.u, palette::kCeilingTag.with_alpha(110), 0.0});
+                       {1.4 * plan.u, palette::kCeilingTag.with_alpha(100), 0.0});
     }
   }
   for (const auto& [name, estimate] : last) {
@@ -213,15 +227,15 @@ void paint_marks(const Plan& plan) {
     last[estimate.name] = &estimate;
   }
   for (const auto& [name, estimate] : last) {
-    paint_cross(plan.canvas, plan.X.pixel(estimate->at_m), 0.8 * plan.u);
+    paint_cross(plan.canvas, plan.X.pixel(estimate->at_m), 0.6 * plan.u);
   }
   if (plan.view.start) {
-    paint_start(plan.canvas, plan.X.pixel(plan.view.start->p_m), heading_px(*plan.view.start), plan.u);
+    paint_start(plan.canvas, plan.X.pixel(plan.view.start->p_m), heading_px(*plan.view.start),
+                start_ring_px(plan), plan.u);
   }
   if (plan.view.end) {
-    // Never smaller than can be seen.
-    const double r = std::max(plan.view.robot_radius_m * plan.px_per_m, 11.0 * plan.u);
-    paint_robot(plan.canvas, plan.X.pixel(plan.view.end->p_m), r, heading_px(*plan.view.end), plan.u);
+    paint_robot(plan.canvas, plan.X.pixel(plan.view.end->p_m), robot_radius_px(plan),
+                heading_px(*plan.view.end), plan.u);
   }
 }
 
@@ -235,11 +249,12 @@ void paint_names(const Plan& plan) {
     clear(plan.X.pixel(tag.at_m), kDiamond * u);
   }
   if (plan.view.start) {
-    clear(plan.X.pixel(plan.view.start->p_m), 12.0 * u);
-    clear(plan.X.pixel(plan.view.start->p_m) + 26.0 * u * heading_px(*plan.view.start), 10.0 * u);
+    const double ring = start_ring_px(plan);
+    clear(plan.X.pixel(plan.view.start->p_m), ring + 3.0 * u);
+    clear(plan.X.pixel(plan.view.start->p_m) + (ring + 16.0 * u) * heading_px(*plan.view.start), 10.0 * u);
   }
   if (plan.view.end) {
-    clear(plan.X.pixel(plan.view.end->p_m), std::max(plan.view.robot_radius_m * plan.px_per_m, 11.0 * u));
+    clear(plan.X.pixel(plan.view.end->p_m), robot_radius_px(plan));
   }
   placer.avoid(ideal_px(plan));
   std::vector<Vec2> driven;
@@ -280,7 +295,7 @@ Projection paint_plan(Canvas& canvas, const PhaseRunView& view, const RectPx& pl
                                    (plot.height - 2.0 * border) / extent.size_m().y());
   Plan plan{canvas, view, plot, u, Projection::top(extent.center_m(), plot.center(), px_per_m), px_per_m};
   canvas.clip(plot);
-  paint_floor_and_walls(plan);
+  paint_floor(plan);
   canvas.unclip();
   paint_axes(plan);
   canvas.clip(plot);
@@ -321,22 +336,22 @@ std::vector<FlowItem> plan_legend(const PhaseRunView& view) {
                      }});
   }
   if (!view.driven.empty() && span.low > view.driven.front().t_s) {
-    items.push_back({"way there, not counted", [half](Canvas& canvas, const Vec2& c, double u) {
+    items.push_back({"approach, not counted", [half](Canvas& canvas, const Vec2& c, double u) {
                        canvas.line(c - half * u, c + half * u, {10.0 * u, palette::kInk, 0.0});
                        canvas.line(c - half * u, c + half * u, {7.0 * u, palette::kHairline, 0.0});
                      }});
   }
   const auto missing = [](const PhaseTagView& tag) { return tag.missing; };
   if (!std::all_of(view.tags.begin(), view.tags.end(), missing)) {
-    items.push_back({"below a ceiling tag",
-                     [](Canvas& canvas, const Vec2& c, double u) { paint_diamond(canvas, c, u, false); }});
+    items.push_back(
+        {"ceiling tag", [](Canvas& canvas, const Vec2& c, double u) { paint_diamond(canvas, c, u, false); }});
   }
   if (std::any_of(view.tags.begin(), view.tags.end(), missing)) {
     items.push_back(
         {"missing tag", [](Canvas& canvas, const Vec2& c, double u) { paint_diamond(canvas, c, u, true); }});
   }
   if (!view.estimates.empty()) {
-    items.push_back({"its estimate, 95 %", [](Canvas& canvas, const Vec2& c, double u) {
+    items.push_back({"estimate, 95 %", [](Canvas& canvas, const Vec2& c, double u) {
                        std::vector<Vec2> rim = ellipse_outline(c, {17.0 * u, 11.0 * u, 0.0});
                        canvas.fill(rim, palette::kCeilingTag.with_alpha(38));
                        canvas.line(rim, {2.4 * u, palette::kCeilingTag, 0.0});
@@ -350,7 +365,7 @@ std::vector<FlowItem> plan_legend(const PhaseRunView& view) {
   }
   if (view.start) {
     items.push_back({"start", [](Canvas& canvas, const Vec2& c, double u) {
-                       paint_start(canvas, c - Vec2{9.0, 0.0} * u, {1.0, 0.0}, 0.8 * u);
+                       paint_start(canvas, c - Vec2{9.0, 0.0} * u, {1.0, 0.0}, 7.6 * u, 0.8 * u);
                      }});
   }
   if (view.end) {

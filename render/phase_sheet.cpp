@@ -77,15 +77,19 @@ double paint_figures(Canvas& canvas, const PhaseRunView& view, const Vec2& left,
     high = std::max(high, 100.0 * *view.rmse_m);
   }
   const double air = 0.08 * (high - low);
-  panel.y = {"error (cm), left of travel positive", false, ChartRange{low - air, high + air}};
+  // Names of segments stand in the air above the curve: 40 units.
+  const double names = view.segments.size() > 1 ? 40.0 * u / plot.height * (high - low + 2.0 * air) : 0.0;
+  panel.y = {"error (cm), left of travel positive", false, ChartRange{low - air, high + air + names}};
   return panel;
 }
 
-/// Lines where the robot turned to the next tag, and that tag's name over its stretch where it fits.
+/// Lines where one segment gives way to the next, and names over their stretches where they fit.
 void paint_segments(Canvas& canvas, const PhaseRunView& view, const Panel& panel) {
   const double u = panel.unit_px;
   const RunColors colors(view);
-  const TextStyle style{20.0 * u, palette::kSoftInk, false, Align::kCenter};
+  const TextStyle style{20.0 * u, palette::kInk, false, Align::kCenter, 0.0, palette::kPaper.with_alpha(230)};
+  // Many lines are drawn fainter.
+  const Rgba ink = palette::kSoftInk.with_alpha(view.segments.size() > 15 ? 90 : 170);
   for (std::size_t i = 0; i < view.segments.size(); ++i) {
     const SegmentView& segment = view.segments[i];
     const double until = i + 1 < view.segments.size() ? view.segments[i + 1].from_s : panel.x.range->high;
@@ -95,17 +99,15 @@ void paint_segments(Canvas& canvas, const PhaseRunView& view, const Panel& panel
     const double left = std::max(panel.plot.x, panel.pixel({segment.from_s, 0.0}).x());
     const double right = std::min(panel.plot.right(), panel.pixel({until, 0.0}).x());
     if (left > panel.plot.x + 1.0) {
-      canvas.line({left, panel.plot.y}, {left, panel.plot.bottom()},
-                  {1.8 * u, palette::kSoftInk.with_alpha(170), 7.0 * u});
+      canvas.line({left, panel.plot.y}, {left, panel.plot.bottom()}, {1.8 * u, ink, 7.0 * u});
     }
     if (view.coloring == PathColoring::kSegment) {
       canvas.fill(RectPx{left, panel.plot.y - 6.0 * u, right - left, 6.0 * u},
                   colors.at(0.5 * (segment.from_s + until)));
     }
-    const std::string text = "→ " + segment.name;
-    const TextStyle fitting = canvas.fitted(text, style, right - left - 8.0 * u, 0.85);
-    if (!segment.name.empty() && canvas.width_of(text, fitting) <= right - left - 8.0 * u) {
-      canvas.text({0.5 * (left + right), panel.plot.y + 16.0 * u}, text, fitting);
+    const TextStyle fitting = canvas.fitted(segment.name, style, right - left - 8.0 * u, 0.85);
+    if (canvas.width_of(segment.name, fitting) <= right - left - 8.0 * u) {
+      canvas.text({0.5 * (left + right), panel.plot.y + 18.0 * u}, segment.name, fitting);
     }
   }
 }
@@ -148,7 +150,7 @@ void paint_error_line(Canvas& canvas, const PhaseRunView& view, const Panel& pan
          }});
   }
   if (view.segments.size() > 1) {
-    items.push_back({"turns to the next tag", [](Canvas& canvas, const Vec2& c, double u) {
+    items.push_back({"next segment", [](Canvas& canvas, const Vec2& c, double u) {
                        canvas.line(c - Vec2{0.0, 15.0} * u, c + Vec2{0.0, 15.0} * u,
                                    {2.0 * u, palette::kSoftInk, 6.0 * u});
                      }});
@@ -210,7 +212,7 @@ struct SheetPlaces {
     at.height_px = static_cast<int>(std::lround(at.legend.bottom() + 26.0 * u));
     return at;
   }
-  at.figures = {at.plan.x, at.legend.bottom() + 50.0 * u};
+  at.figures = {at.plan.x + (12.0 - 64.0) * u, at.legend.bottom() + 50.0 * u};
   at.error = {at.plan.x + 12.0 * u, at.figures.y() + 84.0 * u, plan_width - 12.0 * u, 330.0 * u};
   at.height_px = static_cast<int>(std::lround(at.error.bottom() + (kPanelBelow + 14.0) * u));
   return at;

@@ -3,7 +3,6 @@
 
 #include <fmt/format.h>
 
-#include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <cmath>
 #include <string_view>
@@ -57,29 +56,6 @@ void check_estimates(const PhaseRunView& view, FirstFault& find) {
 }
 
 }  // namespace
-
-Ellipse ellipse_of(const Eigen::Matrix2d& covariance_m2, double probability) {
-  const Eigen::Matrix2d symmetric = 0.5 * (covariance_m2 + covariance_m2.transpose());
-  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix2d> solved(symmetric);
-  // Quantile of chi-squared with two degrees of freedom: -2 ln(1 - p), 5.99 for 95 %.
-  const double quantile = -2.0 * std::log(1.0 - probability);
-  const auto half_axis = [&](double eigenvalue) { return std::sqrt(quantile * std::max(0.0, eigenvalue)); };
-  const Vec2 along = solved.eigenvectors().col(1);
-  return {half_axis(solved.eigenvalues()[1]), half_axis(solved.eigenvalues()[0]),
-          std::atan2(along.y(), along.x())};
-}
-
-std::vector<Vec2> ellipse_outline(const Vec2& center_m, const Ellipse& ellipse) {
-  // Chosen: on the largest ellipse a picture holds, 400 pixels, the chord stays within a pixel of the arc.
-  constexpr int kCorners = 64;
-  const Pose2 X_WE{center_m, ellipse.yaw_rad};
-  std::vector<Vec2> outline;
-  for (int i = 0; i <= kCorners; ++i) {
-    const double angle = 2.0 * robot::kPi * i / kCorners;
-    outline.push_back(X_WE * Vec2{ellipse.major_m * std::cos(angle), ellipse.minor_m * std::sin(angle)});
-  }
-  return outline;
-}
 
 std::optional<RenderError> first_fault(const PhaseRunView& view) {
   // Walls, tags and path lie under the limits of every scene picture.

@@ -29,10 +29,10 @@ struct TagEstimateView {
   double t_s{0.0};
 };
 
-/// A stretch of the mission: from this time on the robot heads for `name`.
+/// A stretch of the mission, from this time to the next one's.
 struct SegmentView {
   double from_s{0.0};
-  std::string name;    ///< of the tag ahead; stands over its stretch of the error chart
+  std::string name;    ///< stands over it on the error chart where it fits: "→ T3", "second lap"
   bool counted{true};  ///< false: the way to the path's start, which no error is counted on
 };
 
@@ -118,17 +118,6 @@ struct FuzzyControllerView {
   std::vector<FuzzySetView> outputs;
   std::vector<ControlCurveView> curves;  ///< the first is the controller shown; others for comparison
 };
-
-/// Half axes and direction of the ellipse that holds `probability` of a plane normal distribution.
-struct Ellipse {
-  double major_m{0.0};
-  double minor_m{0.0};
-  double yaw_rad{0.0};  ///< of the major axis, in W
-};
-/// A covariance with negative eigenvalues (rounding) is flat, not an error. \pre 0 < probability < 1
-[[nodiscard]] Ellipse ellipse_of(const Eigen::Matrix2d& covariance_m2, double probability = 0.95);
-/// Points around an ellipse, closed by the first.
-[[nodiscard]] std::vector<Vec2> ellipse_outline(const Vec2& center_m, const Ellipse& ellipse);
 
 /// \returns the first number that cannot be drawn as a sentence naming it; nothing when all is well.
 [[nodiscard]] std::optional<RenderError> first_fault(const PhaseRunView& view);

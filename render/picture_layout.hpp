@@ -43,6 +43,9 @@ struct LegendItem {
     kCliff,
     kVirtualWall,
     kCeilingTag,
+    kIdealPath,
+    kEstimate,
+    kAntenna,
   };
   Swatch swatch{Swatch::kTile};
   TileState tile{TileState::kUnvisited};

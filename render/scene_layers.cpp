@@ -240,6 +240,20 @@ void ground_marks(Mesh& mesh, const SceneView& view, double px_per_m, double lin
   }
 }
 
+void ideal_path(Mesh& mesh, const SceneView& view, double px_per_m, double line_px) {
+  const double line_m = line_px / px_per_m;
+  mesh.stroke(view.ideal_path_m, view.ideal_closed, 2.2 * line_m, palette::kInk, 0.0,
+              {11.0 * line_m, 11.0 * line_m});
+}
+
+void estimates(Mesh& mesh, const SceneView& view, double px_per_m, double line_px) {
+  for (const EstimateView& estimate : view.estimates) {
+    const Polygon rim = ellipse_outline(estimate.at_m, estimate.ellipse);
+    mesh.fill(std::span(rim).first(rim.size() - 1), palette::kCeilingTag.with_alpha(38));
+    mesh.stroke(rim, false, 2.4 * line_px / px_per_m, palette::kCeilingTag);
+  }
+}
+
 void trajectory(Mesh& mesh, const SceneView& view, double px_per_m, double line_px, double z_m) {
   const double line_m = line_px / px_per_m;
   // Half a pixel: closer points cannot be told apart.
@@ -285,7 +299,9 @@ std::vector<Vertex> top_view_triangles(const SceneView& view, double px_per_m, d
     layers::matter(mesh, view);
     all_furniture();
   }
+  layers::estimates(mesh, view, px_per_m, line_px);
   layers::trajectory(mesh, view, px_per_m, line_px, 0.0);
+  layers::ideal_path(mesh, view, px_per_m, line_px);
   const double wall_px =
       traced(view) ? 3.0 : 6.0;  // wide lines would run the steps and specks of a map together
   for (const WallView& wall : view.walls) {

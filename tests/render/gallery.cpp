@@ -99,8 +99,10 @@ LineChart log_chart() {
 namespace {
 
 /// Everything about ceiling tags and phases.
-bool save_phase_pictures(const std::filesystem::path& folder) {
+bool save_phase_pictures(const std::filesystem::path& folder, OffscreenContext& gl) {
   bool ok = true;
+  SceneView open = made_up_ceiling();
+  open.walls.clear();
   const auto keep = [&](const char* name, const auto& picture) {
     ok = save(folder / (std::string("phase_") + name + ".png"), picture, "cairo") && ok;
   };
@@ -113,6 +115,9 @@ bool save_phase_pictures(const std::filesystem::path& folder) {
   keep("error", draw_tracking_error(made_up_star()));
   keep("estimates", draw_estimates_sheet(made_up_hallway()));
   keep("estimates_hall", draw_estimates_sheet(made_up_hall()));
+  keep("oblique", draw_oblique_view(gl, made_up_ceiling()));
+  keep("oblique_open", draw_oblique_view(gl, open));
+  keep("top", draw_top_view(gl, made_up_ceiling()));
   keep("noise", draw_noise(made_up_noise()));
   keep("controller", draw_controller(made_up_controller()));
   return ok;
@@ -169,6 +174,6 @@ int main(int argc, char** argv) {
   if (const auto svg = draw_svg(tags_over_time_chart(made_up_runs()))) {
     ok = write(folder / "tags_over_time.svg", svg->data(), svg->size()) && ok;
   }
-  ok = save_phase_pictures(folder) && ok;
+  ok = save_phase_pictures(folder, gl) && ok;
   return ok ? 0 : 70;
 }

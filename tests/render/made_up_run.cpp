@@ -39,15 +39,15 @@ void add_estimates(PhaseRunView& view, const Drive& drive) {
     const double seen_s = end_s * (static_cast<double>(i) / static_cast<double>(n + 2));
     const Vec2 bias{0.03 * random.normal(), 0.03 * random.normal()};
     const double lean = random.uniform(0.0, robot::kPi);
+    Vec2 draw{random.normal(), random.normal()};
     for (double t = 1.0; t <= std::min(60.0, end_s - seen_s); t *= 1.35) {
       const double major = 0.012 + 0.55 / t;
-      const double minor = 0.4 * major;
       const Eigen::Rotation2Dd turn(lean + 0.02 * t);
-      const Eigen::Matrix2d root = turn.toRotationMatrix() * Eigen::Vector2d(major, minor).asDiagonal();
-      view.estimates.push_back(
-          {view.tags[i].name,
-           view.tags[i].at_m + bias + root * Vec2{0.7 * random.normal(), 0.7 * random.normal()},
-           root * root.transpose(), seen_s + t});
+      const Eigen::Matrix2d root = turn.toRotationMatrix() * Eigen::Vector2d(major, 0.4 * major).asDiagonal();
+      // One estimate is much like the one before.
+      draw = 0.9 * draw + 0.3 * Vec2{random.normal(), random.normal()};
+      view.estimates.push_back({view.tags[i].name, view.tags[i].at_m + 0.3 * bias + root * (0.7 * draw),
+                                root * root.transpose(), seen_s + t});
     }
   }
   std::stable_sort(view.estimates.begin(), view.estimates.end(),
@@ -67,7 +67,7 @@ void add_estimates(PhaseRunView& view, const Drive& drive) {
   for (std::size_t i = 0; i < drive.tags_m.size(); ++i) {
     const Vec2& tag = drive.tags_m[i];
     const bool counted = i > 0 || drive.first_counts;
-    view.segments.push_back({t_s, fmt::format("{}", i + 1), counted});
+    view.segments.push_back({t_s, fmt::format("→ T{}", i + 1), counted});
     const double until_s = t_s + 200.0;
     while ((tag - X.p_m).norm() > drive.zone_m && t_s < until_s) {
       const Vec2 way = X.inverse() * tag;
@@ -148,7 +148,7 @@ PhaseRunView made_up_star() {
   view.ideal_m = corners;
   name_tags(view, {corners.begin(), corners.end() - 1});
   for (std::size_t i = 0; i < view.segments.size(); ++i) {
-    view.segments[i].name = fmt::format("T{}", (i + 1) % 5 + 1);
+    view.segments[i].name = fmt::format("→ T{}", (i + 1) % 5 + 1);
   }
   view.coloring = PathColoring::kSegment;
   view.paper_rmse_m = 0.175;
@@ -168,7 +168,7 @@ PhaseRunView made_up_hallway() {
   view.ideal_m = corners;
   name_tags(view, corners);
   for (std::size_t i = 0; i < view.segments.size(); ++i) {
-    view.segments[i].name = fmt::format("T{}", i + 2);
+    view.segments[i].name = fmt::format("→ T{}", i + 2);
   }
   view.tags[4].missing = true;
   view.paper_rmse_m = 0.13;
@@ -200,6 +200,7 @@ PhaseRunView made_up_circle() {
     view.errors.push_back({t, off});
     square += off * off;
   }
+  view.seed = 7;
   view.title = "Two laps about a circle";
   view.scene = "phase_circle";
   view.subtitle = "ours · profile paper";
@@ -232,9 +233,6 @@ PhaseRunView made_up_hall() {
   view.walls.push_back({{{0, 0}, {40, 0}, {40, 24}, {0, 24}}, true});
   view.ideal_m = tags;
   name_tags(view, tags);
-  for (std::size_t i = 0; i < view.segments.size(); ++i) {
-    view.segments[i].name = view.tags[i].name;
-  }
   add_estimates(view, drive);
   return view;
 }
@@ -286,6 +284,33 @@ FuzzyControllerView made_up_controller() {
     }
     view.curves.push_back(std::move(curve));
   }
+  return view;
+}
+
+SceneView made_up_ceiling() {
+  const PhaseRunView run = made_up_hallway();
+  SceneView view;
+  view.title = "A hallway with seven ceiling tags";
+  view.subtitle = run.subtitle;
+  view.scene = run.scene;
+  view.seed = run.seed;
+  view.walls = run.walls;
+  view.ideal_path_m = run.ideal_m;
+  view.start = run.start;
+  for (const TimedPoint& point : run.driven) {
+    if (point.t_s <= 96.0) {
+      view.trajectory.push_back(point);
+    }
+  }
+  view.time_end_s = run.driven.back().t_s;
+  const Vec2 along = view.trajectory.back().p_m - view.trajectory[view.trajectory.size() - 2].p_m;
+  view.robot = RobotView{{view.trajectory.back().p_m, std::atan2(along.y(), along.x())}, 0.17, 0.092, {}};
+  view.robot->antennas = {{{0.0, 0.08}, 0.1}, {{0.0, -0.08}, 0.1}};
+  for (const PhaseTagView& tag : run.tags) {
+    view.ceiling_tags.push_back({tag.at_m, 3.0, tag.name});
+    view.estimates.push_back({tag.at_m, {0.5, 0.25, 0.6}});
+  }
+  view.target_tag = 3;
   return view;
 }
 

@@ -170,7 +170,7 @@ Rendered<PanelPicture> draw_controller(const FuzzyControllerView& view, int widt
     return Unexpected{*fault};
   }
   const double u = width_px / 1600.0;
-  Canvas canvas = Canvas::pixels(width_px, static_cast<int>(std::lround(1010.0 * u)));
+  Canvas canvas = Canvas::pixels(width_px, static_cast<int>(std::lround(1114.0 * u)));
   draw_sheet_heading(canvas, width_px, u, view.title, view.subtitle);
   const std::vector<FlowItem> rules = rules_of(view);
   draw_flow_legend(canvas, {48.0 * u, 126.0 * u, 800.0 * u, 0.0}, u, rules);
@@ -178,15 +178,15 @@ Rendered<PanelPicture> draw_controller(const FuzzyControllerView& view, int widt
   // The names stand in the quarter above full membership.
   const Axis membership{"membership", false, ChartRange{0.0, 1.25}};
   PanelPicture picture;
-  picture.panels = {{{112.0 * u, 250.0 * u, 620.0 * u, 230.0 * u},
+  picture.panels = {{{112.0 * u, 250.0 * u, 620.0 * u, 290.0 * u},
                      {view.input_label, false, range_of(view.inputs)},
                      membership,
                      u},
-                    {{112.0 * u, 668.0 * u, 620.0 * u, 230.0 * u},
+                    {{112.0 * u, 712.0 * u, 620.0 * u, 290.0 * u},
                      {view.output_label, false, range_of(view.outputs)},
                      membership,
                      u},
-                    {{912.0 * u, 250.0 * u, 632.0 * u, 648.0 * u},
+                    {{912.0 * u, 250.0 * u, 632.0 * u, 752.0 * u},
                      {view.input_label, false, range_of(view.inputs)},
                      {view.output_label, false, curve_range(view)},
                      u}};

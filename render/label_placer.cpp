@@ -72,11 +72,13 @@ double LabelPlacer::cost(const RectPx& box, const Vec2& at_px, double reach_px) 
     total += kOutside;
   }
   for (const RectPx& other : taken_) {
-    // Its own mark lies beside it, never under it.
     total += other.overlaps(box) ? kOnName : 0.0;
   }
+  // Letters need air between them and a line: a sixth of their height.
+  const double air = box.height / 6.0;
+  const RectPx airy{box.x - air, box.y - air, box.width + 2.0 * air, box.height + 2.0 * air};
   const auto on_lines =
-      std::count_if(crumbs_.begin(), crumbs_.end(), [&](const Vec2& p) { return holds(box, p); });
+      std::count_if(crumbs_.begin(), crumbs_.end(), [&](const Vec2& p) { return holds(airy, p); });
   total += std::min(kMostOnLines, kOnLine * static_cast<double>(on_lines));
   return total + reach_px * 1e-3 + (box.center() - at_px).norm() * 1e-4;
 }

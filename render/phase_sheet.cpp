@@ -59,6 +59,11 @@ double paint_figures(Canvas& canvas, const PhaseRunView& view, const Vec2& left,
   return view.rmse_m || view.bound_m || view.paper_rmse_m;
 }
 
+[[nodiscard]] std::ptrdiff_t counted_segments(const PhaseRunView& view) {
+  return std::count_if(view.segments.begin(), view.segments.end(),
+                       [](const SegmentView& segment) { return segment.counted; });
+}
+
 [[nodiscard]] Panel error_panel(const PhaseRunView& view, const RectPx& plot, double u) {
   Panel panel;
   panel.plot = plot;
@@ -78,7 +83,7 @@ double paint_figures(Canvas& canvas, const PhaseRunView& view, const Vec2& left,
   }
   const double air = 0.08 * (high - low);
   // Names of segments stand in the air above the curve: 40 units.
-  const double names = view.segments.size() > 1 ? 40.0 * u / plot.height * (high - low + 2.0 * air) : 0.0;
+  const double names = counted_segments(view) > 0 ? 40.0 * u / plot.height * (high - low + 2.0 * air) : 0.0;
   panel.y = {"error (cm), left of travel positive", false, ChartRange{low - air, high + air + names}};
   return panel;
 }
@@ -149,7 +154,7 @@ void paint_error_line(Canvas& canvas, const PhaseRunView& view, const Panel& pan
            canvas.line({box.x, box.bottom()}, {box.right(), box.bottom()}, {1.6 * u, palette::kBlue, 0.0});
          }});
   }
-  if (view.segments.size() > 1) {
+  if (counted_segments(view) > 1) {
     items.push_back({"next segment", [](Canvas& canvas, const Vec2& c, double u) {
                        canvas.line(c - Vec2{0.0, 15.0} * u, c + Vec2{0.0, 15.0} * u,
                                    {2.0 * u, palette::kSoftInk, 6.0 * u});

@@ -104,6 +104,10 @@ void draw_mark_swatch(Canvas& canvas, const RectPx& box, double u, Swatch kind) 
       canvas.line(rim, {2.4 * u, palette::kCeilingTag, 0.0});
       break;
     }
+    case Swatch::kRay:
+      canvas.line({box.x, box.bottom() - 6.0 * u}, {box.right(), box.y + 6.0 * u},
+                  {3.0 * u, palette::kVermilion, 0.0});
+      break;
     case Swatch::kAntenna:
       canvas.fill(RectPx{c.x() - 8.0 * u, c.y() - 8.0 * u, 16.0 * u, 16.0 * u}, palette::kInk);
       canvas.fill(RectPx{c.x() - 6.0 * u, c.y() - 6.0 * u, 12.0 * u, 12.0 * u}, palette::kSky);
@@ -159,6 +163,12 @@ Sheet sheet_for(int width_px, int height_px, double aspect) {
   return sheet;
 }
 
+/// Whether rays run from antennas to a tag.
+[[nodiscard]] static bool rays_of_sight(const SceneView& view) {
+  return view.robot && view.target_tag && *view.target_tag < view.ceiling_tags.size() &&
+         !view.robot->antennas.empty();
+}
+
 std::vector<LegendItem> legend_of(const SceneView& view, TileStyle style) {
   std::vector<LegendItem> items;
   const auto tile_line = [&](TileState state, const char* text) {
@@ -207,6 +217,7 @@ std::vector<LegendItem> legend_of(const SceneView& view, TileStyle style) {
   line(view.start.has_value(), Swatch::kStart, "start");
   line(view.robot.has_value(), Swatch::kRobot, "robot");
   line(view.robot && !view.robot->antennas.empty(), Swatch::kAntenna, "antenna");
+  line(rays_of_sight(view), Swatch::kRay, "to the tag ahead");
   return items;
 }
 

@@ -46,6 +46,7 @@ struct LegendItem {
     kIdealPath,
     kEstimate,
     kAntenna,
+    kRay,
   };
   Swatch swatch{Swatch::kTile};
   TileState tile{TileState::kUnvisited};

@@ -74,8 +74,8 @@ double LabelPlacer::cost(const RectPx& box, const Vec2& at_px, double reach_px) 
   for (const RectPx& other : taken_) {
     total += other.overlaps(box) ? kOnName : 0.0;
   }
-  // Letters need air between them and a line: a sixth of their height.
-  const double air = box.height / 6.0;
+  // Letters need air between them and a line: a third of their height.
+  const double air = box.height / 3.0;
   const RectPx airy{box.x - air, box.y - air, box.width + 2.0 * air, box.height + 2.0 * air};
   const auto on_lines =
       std::count_if(crumbs_.begin(), crumbs_.end(), [&](const Vec2& p) { return holds(airy, p); });

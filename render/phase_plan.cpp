@@ -1,6 +1,4 @@
 // SPDX-License-Identifier: MIT
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -8,6 +6,7 @@
 
 #include "render/label_placer.hpp"
 #include "render/phase_pictures.hpp"
+#include "render/plan_marks.hpp"
 #include "render/plane_geometry.hpp"
 #include "render/scene_layers.hpp"
 #include "render/ticks.hpp"
@@ -16,9 +15,8 @@ namespace sensotwin::render {
 namespace {
 
 constexpr Rgba kGridOnFloor{0x9A, 0xA5, 0xB1, 70};
-constexpr double kRibbon = 4.6;   ///< units: the driven path
-constexpr double kCasing = 7.2;   ///< units: its dark rim, which keeps pale colours visible
-constexpr double kDiamond = 9.5;  ///< units: half a tag's mark
+constexpr double kRibbon = 4.6;  ///< units: the driven path
+constexpr double kCasing = 7.2;  ///< units: its dark rim, which keeps pale colours visible
 
 /// The plan under the brush.
 struct Plan {
@@ -38,44 +36,6 @@ struct Plan {
     return out;
   }
 };
-
-[[nodiscard]] std::array<Vec2, 4> diamond(const Vec2& c, double r) {
-  return {Vec2{c.x() + r, c.y()}, Vec2{c.x(), c.y() + r}, Vec2{c.x() - r, c.y()}, Vec2{c.x(), c.y() - r}};
-}
-
-void paint_diamond(Canvas& canvas, const Vec2& c, double u, bool missing) {
-  canvas.fill(diamond(c, (kDiamond + 3.0) * u), palette::kPaper);
-  canvas.fill(diamond(c, kDiamond * u), palette::kCeilingTag);
-  if (missing) {
-    canvas.fill(diamond(c, 0.55 * kDiamond * u), palette::kPaper);
-  }
-}
-
-/// `ring` is 9.5 units, or more around a robot that ended where it began.
-void paint_start(Canvas& canvas, const Vec2& c, const Vec2& heading_px, double ring, double u) {
-  const Vec2 tip = c + (ring + 24.5 * u) * heading_px;
-  const Vec2 aside{-heading_px.y(), heading_px.x()};
-  const Vec2 neck = tip - 13.0 * u * heading_px;
-  for (const auto& [grow, color] : {std::pair{3.0, palette::kPaper}, std::pair{0.0, palette::kBlue}}) {
-    canvas.line(c, neck, {(3.5 + 2.0 * grow) * u, color, 0.0});
-    const double wide = 7.5 * u + grow * u;
-    canvas.fill(std::array{Vec2(tip + 1.6 * grow * u * heading_px), Vec2(neck + wide * aside),
-                           Vec2(neck - grow * u * heading_px), Vec2(neck - wide * aside)},
-                color);
-  }
-  canvas.disc(c, ring + 3.5 * u, palette::kPaper);
-  canvas.ring(c, ring, {3.5 * u, palette::kBlue, 0.0});
-  canvas.disc(c, 4.0 * u, palette::kBlue);
-}
-
-void paint_robot(Canvas& canvas, const Vec2& c, double r, const Vec2& heading_px, double u) {
-  const Vec2 aside{-heading_px.y(), heading_px.x()};
-  canvas.disc(c, r + 2.5 * u, palette::kPaper);
-  canvas.disc(c, r, palette::kRobot);
-  canvas.fill(std::array{Vec2(c + 0.72 * r * heading_px), Vec2(c - 0.36 * r * heading_px + 0.48 * r * aside),
-                         Vec2(c - 0.14 * r * heading_px), Vec2(c - 0.36 * r * heading_px - 0.48 * r * aside)},
-              palette::kOrange);
-}
 
 [[nodiscard]] Vec2 heading_px(const Pose2& X) {
   return {std::cos(X.yaw_rad), -std::sin(X.yaw_rad)};
@@ -111,13 +71,17 @@ void paint_floor(const Plan& plan) {
   }
 }
 
+[[nodiscard]] std::vector<Vec2> wall_px(const Plan& plan, const WallView& wall) {
+  std::vector<Vec2> line = plan.pixels(wall.points_m);
+  if (wall.closed && !line.empty()) {
+    line.push_back(line.front());
+  }
+  return line;
+}
+
 void paint_walls(const Plan& plan) {
   for (const WallView& wall : plan.view.walls) {
-    std::vector<Vec2> line = plan.pixels(wall.points_m);
-    if (wall.closed && !line.empty()) {
-      line.push_back(line.front());
-    }
-    plan.canvas.line(line, {5.0 * plan.u, palette::kWall, 0.0});
+    plan.canvas.line(wall_px(plan, wall), {5.0 * plan.u, palette::kWall, 0.0});
   }
 }
 
@@ -211,13 +175,6 @@ void paint_estimates(const Plan& plan) {
   }
 }
 
-void paint_cross(Canvas& canvas, const Vec2& c, double u) {
-  for (const auto& [width, color] : {std::pair{6.0, palette::kPaper}, std::pair{2.6, palette::kInk}}) {
-    canvas.line(c + Vec2{-8.0, -8.0} * u, c + Vec2{8.0, 8.0} * u, {width * u, color, 0.0});
-    canvas.line(c + Vec2{-8.0, 8.0} * u, c + Vec2{8.0, -8.0} * u, {width * u, color, 0.0});
-  }
-}
-
 void paint_marks(const Plan& plan) {
   for (const PhaseTagView& tag : plan.view.tags) {
     paint_diamond(plan.canvas, plan.X.pixel(tag.at_m), plan.u, tag.missing);
@@ -239,19 +196,38 @@ void paint_marks(const Plan& plan) {
   }
 }
 
-void paint_names(const Plan& plan) {
-  LabelPlacer placer({plan.plot.x, plan.plot.y, plan.plot.width, plan.plot.height});
+/// How far a tag's name must stay from it: off its mark, and off the robot where that covers the mark.
+[[nodiscard]] double name_distance_px(const Plan& plan, const Vec2& at_px) {
+  double distance = kTagMark * plan.u;
+  const auto covered = [&](const Pose2& X, double r) {
+    if ((plan.X.pixel(X.p_m) - at_px).norm() < r) {
+      distance = std::max(distance, r + 2.0 * plan.u);
+    }
+  };
+  if (plan.view.start) {
+    covered(*plan.view.start, start_ring_px(plan));
+  }
+  if (plan.view.end) {
+    covered(*plan.view.end, robot_radius_px(plan));
+  }
+  return distance + 5.0 * plan.u;
+}
+
+/// Everything that names must not cover, and what they should rather not.
+[[nodiscard]] LabelPlacer placer_of(const Plan& plan) {
+  LabelPlacer placer(plan.plot);
   const double u = plan.u;
   const auto clear = [&](const Vec2& c, double r) {
     placer.keep_clear({c.x() - r, c.y() - r, 2 * r, 2 * r});
   };
   for (const PhaseTagView& tag : plan.view.tags) {
-    clear(plan.X.pixel(tag.at_m), kDiamond * u);
+    clear(plan.X.pixel(tag.at_m), kTagMark * u);
   }
   if (plan.view.start) {
+    const Vec2 at = plan.X.pixel(plan.view.start->p_m);
     const double ring = start_ring_px(plan);
-    clear(plan.X.pixel(plan.view.start->p_m), ring + 3.0 * u);
-    clear(plan.X.pixel(plan.view.start->p_m) + (ring + 16.0 * u) * heading_px(*plan.view.start), 10.0 * u);
+    clear(at, ring + 3.0 * u);
+    clear(at + (ring + 16.0 * u) * heading_px(*plan.view.start), 10.0 * u);
   }
   if (plan.view.end) {
     clear(plan.X.pixel(plan.view.end->p_m), robot_radius_px(plan));
@@ -263,23 +239,38 @@ void paint_names(const Plan& plan) {
   }
   placer.avoid(driven);
   for (const WallView& wall : plan.view.walls) {
-    placer.avoid(plan.pixels(wall.points_m));
+    placer.avoid(wall_px(plan, wall));
   }
+  return placer;
+}
+
+[[nodiscard]] TextStyle name_style(const Plan& plan) {
   // Many names are written smaller.
-  const double size = (plan.view.tags.size() > 24 ? 18.0 : 22.0) * u;
-  const TextStyle style{size, palette::kCeilingTag, true, Align::kLeft, 0.0, palette::kPaper.with_alpha(235)};
+  const double size = (plan.view.tags.size() > 24 ? 18.0 : 22.0) * plan.u;
+  return {size, palette::kCeilingTag, true, Align::kLeft, 0.0, palette::kPaper.with_alpha(235)};
+}
+
+/// Where the name of each tag stands; a leader, below all marks, where it had to step far away.
+[[nodiscard]] std::vector<LabelPlacer::Place> placed_names(const Plan& plan) {
+  LabelPlacer placer = placer_of(plan);
+  const TextStyle style = name_style(plan);
+  std::vector<LabelPlacer::Place> places;
   for (const PhaseTagView& tag : plan.view.tags) {
-    if (tag.name.empty()) {
-      continue;
-    }
     const Vec2 at = plan.X.pixel(tag.at_m);
-    const double width = plan.canvas.width_of(tag.name, style);
-    const auto place = placer.place(at, (kDiamond + 5.0) * u, {width, 0.9 * size});
-    if (place.far) {
-      plan.canvas.line(at, leader_end(place, at), {1.5 * u, palette::kCeilingTag.with_alpha(150), 0.0});
-      paint_diamond(plan.canvas, at, u, tag.missing);
+    const Vec2 size{plan.canvas.width_of(tag.name, style), 0.9 * style.size_px};
+    places.push_back(tag.name.empty() ? LabelPlacer::Place{}
+                                      : placer.place(at, name_distance_px(plan, at), size));
+    if (places.back().far) {
+      plan.canvas.line(at, leader_end(places.back(), at),
+                       {1.5 * plan.u, palette::kCeilingTag.with_alpha(150), 0.0});
     }
-    plan.canvas.text({place.box.x, place.box.center().y()}, tag.name, style);
+  }
+  return places;
+}
+
+void paint_names(const Plan& plan, const std::vector<LabelPlacer::Place>& places) {
+  for (std::size_t i = 0; i < places.size(); ++i) {
+    plan.canvas.text({places[i].box.x, places[i].box.center().y()}, plan.view.tags[i].name, name_style(plan));
   }
 }
 
@@ -303,77 +294,11 @@ Projection paint_plan(Canvas& canvas, const PhaseRunView& view, const RectPx& pl
   paint_estimates(plan);
   paint_driven(plan);
   canvas.line(ideal_px(plan), {2.2 * u, palette::kInk, 11.0 * u});
+  const std::vector<LabelPlacer::Place> places = placed_names(plan);
   paint_marks(plan);
-  paint_names(plan);
+  paint_names(plan, places);
   canvas.unclip();
   return plan.X;
-}
-
-std::vector<FlowItem> plan_legend(const PhaseRunView& view) {
-  std::vector<FlowItem> items;
-  const ChartRange span = counted_span_s(view);
-  const Vec2 half{18.0, 0.0};
-  if (!view.ideal_m.empty()) {
-    items.push_back({"ideal path", [half](Canvas& canvas, const Vec2& c, double u) {
-                       canvas.line(c - half * u, c + half * u, {2.4 * u, palette::kInk, 8.0 * u});
-                     }});
-  }
-  if (!view.driven.empty()) {
-    const bool by_time = view.coloring == PathColoring::kTime;
-    const std::string text = by_time ? fmt::format("driven, {:.0f} to {:.0f} s", span.low, span.high)
-                                     : std::string("driven, a colour a segment");
-    items.push_back({text, [half, by_time](Canvas& canvas, const Vec2& c, double u) {
-                       canvas.line(c - half * u, c + half * u, {10.0 * u, palette::kInk, 0.0});
-                       const int n = by_time ? 18 : 3;
-                       for (int i = 0; i < n; ++i) {
-                         const Vec2 step = 2.0 * half * u / n;
-                         canvas.line(
-                             c - half * u + i * step, c - half * u + (i + 1) * step,
-                             {7.0 * u,
-                              by_time ? time_color((i + 0.5) / n) : turn_color(static_cast<std::size_t>(i)),
-                              0.0});
-                       }
-                     }});
-  }
-  if (!view.driven.empty() && span.low > view.driven.front().t_s) {
-    items.push_back({"approach, not counted", [half](Canvas& canvas, const Vec2& c, double u) {
-                       canvas.line(c - half * u, c + half * u, {10.0 * u, palette::kInk, 0.0});
-                       canvas.line(c - half * u, c + half * u, {7.0 * u, palette::kHairline, 0.0});
-                     }});
-  }
-  const auto missing = [](const PhaseTagView& tag) { return tag.missing; };
-  if (!std::all_of(view.tags.begin(), view.tags.end(), missing)) {
-    items.push_back(
-        {"ceiling tag", [](Canvas& canvas, const Vec2& c, double u) { paint_diamond(canvas, c, u, false); }});
-  }
-  if (std::any_of(view.tags.begin(), view.tags.end(), missing)) {
-    items.push_back(
-        {"missing tag", [](Canvas& canvas, const Vec2& c, double u) { paint_diamond(canvas, c, u, true); }});
-  }
-  if (!view.estimates.empty()) {
-    items.push_back({"estimate, 95 %", [](Canvas& canvas, const Vec2& c, double u) {
-                       std::vector<Vec2> rim = ellipse_outline(c, {17.0 * u, 11.0 * u, 0.0});
-                       canvas.fill(rim, palette::kCeilingTag.with_alpha(38));
-                       canvas.line(rim, {2.4 * u, palette::kCeilingTag, 0.0});
-                       paint_cross(canvas, c, 0.7 * u);
-                     }});
-  }
-  if (!view.walls.empty()) {
-    items.push_back({"wall", [half](Canvas& canvas, const Vec2& c, double u) {
-                       canvas.line(c - half * u, c + half * u, {5.0 * u, palette::kWall, 0.0});
-                     }});
-  }
-  if (view.start) {
-    items.push_back({"start", [](Canvas& canvas, const Vec2& c, double u) {
-                       paint_start(canvas, c - Vec2{9.0, 0.0} * u, {1.0, 0.0}, 7.6 * u, 0.8 * u);
-                     }});
-  }
-  if (view.end) {
-    items.push_back({"end", [](Canvas& canvas, const Vec2& c, double u) {
-                       paint_robot(canvas, c, 13.0 * u, {1.0, 0.0}, u);
-                     }});
-  }
-  return items;
 }
 
 }  // namespace phase

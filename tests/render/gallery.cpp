@@ -116,6 +116,8 @@ bool save_phase_pictures(const std::filesystem::path& folder, OffscreenContext& 
   keep("estimates", draw_estimates_sheet(made_up_hallway()));
   keep("estimates_hall", draw_estimates_sheet(made_up_hall()));
   keep("oblique", draw_oblique_view(gl, made_up_ceiling()));
+  keep("oblique_hall", draw_oblique_view(gl, made_up_ceiling(made_up_hall(), 500.0, 21)));
+  keep("oblique_star", draw_oblique_view(gl, made_up_ceiling(made_up_star(), 70.0, 3)));
   keep("oblique_open", draw_oblique_view(gl, open));
   keep("top", draw_top_view(gl, made_up_ceiling()));
   keep("noise", draw_noise(made_up_noise()));

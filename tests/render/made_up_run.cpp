@@ -287,10 +287,9 @@ FuzzyControllerView made_up_controller() {
   return view;
 }
 
-SceneView made_up_ceiling() {
-  const PhaseRunView run = made_up_hallway();
+SceneView made_up_ceiling(const PhaseRunView& run, double until_s, std::size_t target) {
   SceneView view;
-  view.title = "A hallway with seven ceiling tags";
+  view.title = "Under the tags: " + run.title;
   view.subtitle = run.subtitle;
   view.scene = run.scene;
   view.seed = run.seed;
@@ -298,7 +297,7 @@ SceneView made_up_ceiling() {
   view.ideal_path_m = run.ideal_m;
   view.start = run.start;
   for (const TimedPoint& point : run.driven) {
-    if (point.t_s <= 96.0) {
+    if (point.t_s <= until_s) {
       view.trajectory.push_back(point);
     }
   }
@@ -310,8 +309,12 @@ SceneView made_up_ceiling() {
     view.ceiling_tags.push_back({tag.at_m, 3.0, tag.name});
     view.estimates.push_back({tag.at_m, {0.5, 0.25, 0.6}});
   }
-  view.target_tag = 3;
+  view.target_tag = target;
   return view;
+}
+
+SceneView made_up_ceiling() {
+  return made_up_ceiling(made_up_hallway(), 96.0, 3);
 }
 
 }  // namespace sensotwin::render::testing

@@ -19,7 +19,9 @@ namespace sensotwin::render::testing {
 [[nodiscard]] NoiseView made_up_noise();
 /// Three triangles and ramps as in the algorithms study, A.0, with their control curve.
 [[nodiscard]] FuzzyControllerView made_up_controller();
-/// The hallway with tags under its ceiling and antennas on the robot.
+/// The run up to a time in space: tags under the ceiling, antennas on the robot that hear tag `target`.
+[[nodiscard]] SceneView made_up_ceiling(const PhaseRunView& run, double until_s, std::size_t target);
+/// The hallway at 96 s.
 [[nodiscard]] SceneView made_up_ceiling();
 
 }  // namespace sensotwin::render::testing

@@ -45,6 +45,12 @@ void draw_tag_names(Canvas& canvas, const SceneView& view, const Projection& X, 
     placer.keep_clear({at.x() - mark, at.y() - mark, 2.0 * mark, 2.0 * mark});
     placer.avoid(std::array{at, X.pixel(tag.at_m)});
   }
+  if (view.robot && view.target_tag && *view.target_tag < view.ceiling_tags.size()) {
+    const Vec2& at = view.robot->X_WR.p_m;
+    const double height_m = hanging ? view.robot->height_m : 0.0;
+    placer.avoid(
+        std::array{X.pixel(Vec3{at.x(), at.y(), height_m}), pixel(view.ceiling_tags[*view.target_tag])});
+  }
   if (!hanging) {
     avoid_lines(view, X, placer, u);
   }

@@ -7,6 +7,7 @@
 #include <array>
 #include <cmath>
 
+#include "render/plane_geometry.hpp"
 #include "render/ticks.hpp"
 
 namespace sensotwin::render {
@@ -94,6 +95,23 @@ void draw_mark_swatch(Canvas& canvas, const RectPx& box, double u, Swatch kind) 
     case Swatch::kCeilingTag:
       canvas.fill(diamond(9.0 * u), palette::kCeilingTag);
       break;
+    case Swatch::kIdealPath:
+      canvas.line({box.x, c.y()}, {box.right(), c.y()}, {2.4 * u, palette::kInk, 6.0 * u});
+      break;
+    case Swatch::kEstimate: {
+      const Polygon rim = ellipse_outline(c, {14.0 * u, 9.0 * u, 0.0});
+      canvas.fill(rim, palette::kCeilingTag.with_alpha(38));
+      canvas.line(rim, {2.4 * u, palette::kCeilingTag, 0.0});
+      break;
+    }
+    case Swatch::kRay:
+      canvas.line({box.x, box.bottom() - 6.0 * u}, {box.right(), box.y + 6.0 * u},
+                  {3.0 * u, palette::kVermilion, 0.0});
+      break;
+    case Swatch::kAntenna:
+      canvas.fill(RectPx{c.x() - 8.0 * u, c.y() - 8.0 * u, 16.0 * u, 16.0 * u}, palette::kInk);
+      canvas.fill(RectPx{c.x() - 6.0 * u, c.y() - 6.0 * u, 12.0 * u, 12.0 * u}, palette::kSky);
+      break;
     default:
       break;
   }
@@ -145,6 +163,12 @@ Sheet sheet_for(int width_px, int height_px, double aspect) {
   return sheet;
 }
 
+/// Whether rays run from antennas to a tag.
+[[nodiscard]] static bool rays_of_sight(const SceneView& view) {
+  return view.robot && view.target_tag && *view.target_tag < view.ceiling_tags.size() &&
+         !view.robot->antennas.empty();
+}
+
 std::vector<LegendItem> legend_of(const SceneView& view, TileStyle style) {
   std::vector<LegendItem> items;
   const auto tile_line = [&](TileState state, const char* text) {
@@ -180,6 +204,8 @@ std::vector<LegendItem> legend_of(const SceneView& view, TileStyle style) {
   line(any_live, Swatch::kTag, "floor tag");
   line(any_dead, Swatch::kDeadTag, "dead tag");
   line(!view.ceiling_tags.empty(), Swatch::kCeilingTag, "ceiling tag");
+  line(!view.estimates.empty(), Swatch::kEstimate, "its estimate");
+  line(!view.ideal_path_m.empty(), Swatch::kIdealPath, "ideal path");
   line(!view.walls.empty(), Swatch::kWall, "wall");
   line(has(FurnitureKind::kSolid), Swatch::kSolid, "furniture");
   line(has(FurnitureKind::kLegs), Swatch::kLegs, "table: legs block");
@@ -190,6 +216,8 @@ std::vector<LegendItem> legend_of(const SceneView& view, TileStyle style) {
   line(view.home_base.has_value(), Swatch::kHomeBase, "home base");
   line(view.start.has_value(), Swatch::kStart, "start");
   line(view.robot.has_value(), Swatch::kRobot, "robot");
+  line(view.robot && !view.robot->antennas.empty(), Swatch::kAntenna, "antenna");
+  line(rays_of_sight(view), Swatch::kRay, "to the tag ahead");
   return items;
 }
 

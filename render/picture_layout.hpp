@@ -43,6 +43,10 @@ struct LegendItem {
     kCliff,
     kVirtualWall,
     kCeilingTag,
+    kIdealPath,
+    kEstimate,
+    kAntenna,
+    kRay,
   };
   Swatch swatch{Swatch::kTile};
   TileState tile{TileState::kUnvisited};

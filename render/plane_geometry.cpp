@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "render/plane_geometry.hpp"
 
+#include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <cmath>
 #include <numeric>
@@ -135,6 +136,29 @@ Polygon footprint(const FurnitureView& piece) {
     rims.insert(rims.end(), rim.begin(), rim.end());
   }
   return convex_hull(std::move(rims));
+}
+
+Ellipse ellipse_of(const Eigen::Matrix2d& covariance_m2, double probability) {
+  const Eigen::Matrix2d symmetric = 0.5 * (covariance_m2 + covariance_m2.transpose());
+  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix2d> solved(symmetric);
+  // Quantile of chi-squared with two degrees of freedom: -2 ln(1 - p), 5.99 for 95 %.
+  const double quantile = -2.0 * std::log(1.0 - probability);
+  const auto half_axis = [&](double eigenvalue) { return std::sqrt(quantile * std::max(0.0, eigenvalue)); };
+  const Vec2 along = solved.eigenvectors().col(1);
+  return {half_axis(solved.eigenvalues()[1]), half_axis(solved.eigenvalues()[0]),
+          std::atan2(along.y(), along.x())};
+}
+
+std::vector<Vec2> ellipse_outline(const Vec2& center_m, const Ellipse& ellipse) {
+  // Chosen: on the largest ellipse a picture holds, 400 pixels, the chord stays within a pixel of the arc.
+  constexpr int kCorners = 64;
+  const Pose2 X_WE{center_m, ellipse.yaw_rad};
+  std::vector<Vec2> outline;
+  for (int i = 0; i <= kCorners; ++i) {
+    const double angle = 2.0 * robot::kPi * i / kCorners;
+    outline.push_back(X_WE * Vec2{ellipse.major_m * std::cos(angle), ellipse.minor_m * std::sin(angle)});
+  }
+  return outline;
 }
 
 std::vector<TimedPoint> thinned(std::span<const TimedPoint> path, double step) {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <Eigen/Core>
 #include <array>
 #include <cstddef>
 #include <span>
@@ -27,6 +28,11 @@ using Polygon = std::vector<Vec2>;
 [[nodiscard]] Polygon square(const Vec2& center, double side, double yaw_rad);
 /// The outline that a piece of furniture shows from above: its outline, or the hull of its circles.
 [[nodiscard]] Polygon footprint(const FurnitureView& piece);
+/// The ellipse that holds `probability` of a plane normal distribution. A covariance with negative
+/// eigenvalues (rounding) is flat, not an error. \pre finite, 0 < probability < 1
+[[nodiscard]] Ellipse ellipse_of(const Eigen::Matrix2d& covariance_m2, double probability = 0.95);
+/// Points around an ellipse, closed by the first.
+[[nodiscard]] Polygon ellipse_outline(const Vec2& center_m, const Ellipse& ellipse);
 /// Drops points nearer than `step` to the last kept one; the last point always stays. Keeps drawing 10^5
 /// points cheap.
 [[nodiscard]] std::vector<TimedPoint> thinned(std::span<const TimedPoint> path, double step);

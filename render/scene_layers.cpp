@@ -96,6 +96,17 @@ void start_mark(Mesh& mesh, const Pose2& X, double line_m) {
   mesh.disc({X.p_m, 4.5 * line_m}, palette::kBlue);
 }
 
+/// From the antennas to below the tag that is headed for.
+void rays(Mesh& mesh, const SceneView& view, double line_m) {
+  if (!view.robot || !view.target_tag || *view.target_tag >= view.ceiling_tags.size()) {
+    return;
+  }
+  for (const AntennaView& antenna : view.robot->antennas) {
+    const std::array ends{view.robot->X_WR * antenna.at_m, view.ceiling_tags[*view.target_tag].at_m};
+    mesh.stroke(ends, false, 1.6 * line_m, palette::kVermilion);
+  }
+}
+
 void robot_disc(Mesh& mesh, const RobotView& robot, double line_m) {
   const Vec2& p = robot.X_WR.p_m;
   mesh.disc({p, robot.radius_m + 2.0 * line_m}, palette::kPaper);
@@ -240,6 +251,20 @@ void ground_marks(Mesh& mesh, const SceneView& view, double px_per_m, double lin
   }
 }
 
+void ideal_path(Mesh& mesh, const SceneView& view, double px_per_m, double line_px) {
+  const double line_m = line_px / px_per_m;
+  mesh.stroke(view.ideal_path_m, view.ideal_closed, 2.2 * line_m, palette::kInk, 0.0,
+              {11.0 * line_m, 11.0 * line_m});
+}
+
+void estimates(Mesh& mesh, const SceneView& view, double px_per_m, double line_px) {
+  for (const EstimateView& estimate : view.estimates) {
+    const Polygon rim = ellipse_outline(estimate.at_m, estimate.ellipse);
+    mesh.fill(std::span(rim).first(rim.size() - 1), palette::kCeilingTag.with_alpha(38));
+    mesh.stroke(rim, false, 2.4 * line_px / px_per_m, palette::kCeilingTag);
+  }
+}
+
 void trajectory(Mesh& mesh, const SceneView& view, double px_per_m, double line_px, double z_m) {
   const double line_m = line_px / px_per_m;
   // Half a pixel: closer points cannot be told apart.
@@ -285,7 +310,9 @@ std::vector<Vertex> top_view_triangles(const SceneView& view, double px_per_m, d
     layers::matter(mesh, view);
     all_furniture();
   }
+  layers::estimates(mesh, view, px_per_m, line_px);
   layers::trajectory(mesh, view, px_per_m, line_px, 0.0);
+  layers::ideal_path(mesh, view, px_per_m, line_px);
   const double wall_px =
       traced(view) ? 3.0 : 6.0;  // wide lines would run the steps and specks of a map together
   for (const WallView& wall : view.walls) {
@@ -307,7 +334,15 @@ std::vector<Vertex> top_view_triangles(const SceneView& view, double px_per_m, d
     start_mark(mesh, *view.start, line_m);
   }
   if (view.robot) {
+    rays(mesh, view, line_m);
     robot_disc(mesh, *view.robot, line_m);
+    for (const AntennaView& antenna : view.robot->antennas) {
+      const Vec2 at = view.robot->X_WR * antenna.at_m;
+      // A patch antenna on a Roomba is about 7 cm wide; never smaller than can be seen.
+      const Polygon patch = square(at, std::max(0.07, 5.0 * line_m), view.robot->X_WR.yaw_rad);
+      mesh.fill(patch, palette::kSky);
+      mesh.stroke(patch, true, 1.2 * line_m, palette::kInk);
+    }
   }
   return mesh.take();
 }

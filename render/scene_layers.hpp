@@ -41,6 +41,9 @@ void floor(Mesh& mesh, const SceneView& view);
 void matter(Mesh& mesh, const SceneView& view);
 void tiles(Mesh& mesh, const SceneView& view, double px_per_m, double line_px, TileStyle style);
 void ground_marks(Mesh& mesh, const SceneView& view, double px_per_m, double line_px);
+/// The ideal path, dashed, and the ellipses of estimates.
+void ideal_path(Mesh& mesh, const SceneView& view, double px_per_m, double line_px);
+void estimates(Mesh& mesh, const SceneView& view, double px_per_m, double line_px);
 void trajectory(Mesh& mesh, const SceneView& view, double px_per_m, double line_px, double z_m);
 }  // namespace layers
 

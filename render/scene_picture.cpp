@@ -7,6 +7,8 @@
 #include <array>
 #include <cmath>
 
+#include "render/tag_names.hpp"
+
 namespace sensotwin::render {
 namespace {
 
@@ -31,6 +33,7 @@ class Labels {
   }
   /// Nothing may be written there.
   void keep_clear(const RectPx& box) { taken_.push_back(box); }
+  [[nodiscard]] const std::vector<RectPx>& taken() const { return taken_; }
 
  private:
   RectPx within_;
@@ -134,7 +137,8 @@ void draw_names(Canvas& canvas, const SceneView& view, const Picture& picture, T
   draw_tile_labels(canvas, view, pixel_from_W, pixel_from_W.px_per_m(Vec3::Zero()), tiles, u);
   // Names may reach a little over the plot's edge: there is white paper.
   const RectPx plot = picture.plot;
-  Labels labels({plot.x - 30.0 * u, plot.y - 24.0 * u, plot.width + 60.0 * u, plot.height + 40.0 * u});
+  const RectPx room{plot.x - 30.0 * u, plot.y - 24.0 * u, plot.width + 60.0 * u, plot.height + 40.0 * u};
+  Labels labels(room);
   if (view.robot) {
     const double r = view.robot->radius_m * pixel_from_W.px_per_m(Vec3::Zero());
     const Vec2 c = pixel_from_W.pixel(view.robot->X_WR.p_m);
@@ -146,9 +150,11 @@ void draw_names(Canvas& canvas, const SceneView& view, const Picture& picture, T
   for (const LandmarkView& mark : view.landmarks) {
     draw_point_label(canvas, labels, view, pixel_from_W, mark.at_m, mark.label, u);
   }
-  for (const CeilingTagView& tag : view.ceiling_tags) {
-    draw_point_label(canvas, labels, view, pixel_from_W, tag.at_m, tag.label, u);
+  LabelPlacer placer(room);
+  for (const RectPx& box : labels.taken()) {
+    placer.keep_clear(box);
   }
+  draw_tag_names(canvas, view, pixel_from_W, placer, false, u);
 }
 
 }  // namespace

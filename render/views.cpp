@@ -98,6 +98,13 @@ void check_marks(const SceneView& view, FaultFinder& find) {
     find.point(view.ceiling_tags[i].at_m, "ceiling tag", i);
     find.size(view.ceiling_tags[i].height_m, "ceiling tag", i);
   }
+  find.points(view.ideal_path_m, "ideal path", 0);
+  for (std::size_t i = 0; i < view.estimates.size(); ++i) {
+    find.point(view.estimates[i].at_m, "estimate", i);
+    find.size(view.estimates[i].ellipse.major_m, "estimate", i);
+    find.size(view.estimates[i].ellipse.minor_m, "estimate", i);
+    find.number(view.estimates[i].ellipse.yaw_rad, "estimate", i);
+  }
   for (std::size_t i = 0; i < view.trajectory.size(); ++i) {
     find.point(view.trajectory[i].p_m, "trajectory point", i);
     find.time(view.trajectory[i].t_s, i);
@@ -112,6 +119,10 @@ void check_marks(const SceneView& view, FaultFinder& find) {
     find.pose(view.robot->X_WR, "robot", 0);
     find.size(view.robot->radius_m, "robot", 0);
     find.size(view.robot->height_m, "robot", 0);
+    for (std::size_t i = 0; i < view.robot->antennas.size(); ++i) {
+      find.point(view.robot->antennas[i].at_m, "antenna", i);
+      find.size(view.robot->antennas[i].height_m, "antenna", i);
+    }
   }
   if (view.time_end_s) {
     find.time(*view.time_end_s, 0);
@@ -157,6 +168,7 @@ std::vector<Vec2> outline_of(const SceneView& view) {
   for (const CeilingTagView& tag : view.ceiling_tags) {
     add(tag.at_m);
   }
+  std::for_each(view.ideal_path_m.begin(), view.ideal_path_m.end(), add);
   if (view.robot) {
     add_around(view.robot->X_WR.p_m, view.robot->radius_m);
   }

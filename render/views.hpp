@@ -69,10 +69,23 @@ struct TimedPoint {
   double t_s{0.0};
 };
 
+/// Half axes and direction.
+struct Ellipse {
+  double major_m{0.0};
+  double minor_m{0.0};
+  double yaw_rad{0.0};  ///< of the major axis
+};
+
+struct AntennaView {
+  Vec2 at_m{0.0, 0.0};  ///< in R: x forward, y left
+  double height_m{0.1};
+};
+
 struct RobotView {
   Pose2 X_WR;
   double radius_m{0.17};
   double height_m{0.092};
+  std::vector<AntennaView> antennas{};
 };
 
 /// A mark on the floor: where a tag truly lies.
@@ -90,6 +103,12 @@ struct CeilingTagView {
   Vec2 at_m{0.0, 0.0};
   double height_m{3.0};
   std::string label;
+};
+
+/// Where the robot believes the projection of a ceiling tag to be.
+struct EstimateView {
+  Vec2 at_m{0.0, 0.0};
+  Ellipse ellipse;  ///< usually of 95 % (ellipse_of() in plane_geometry.hpp)
 };
 
 struct VirtualWallView {
@@ -119,6 +138,10 @@ struct SceneView {
 
   double ceiling_m{3.0};
   std::vector<CeilingTagView> ceiling_tags;
+  std::optional<std::size_t> target_tag;  ///< of ceiling_tags: rays run from the robot's antennas to it
+  std::vector<Vec2> ideal_path_m;         ///< dashed on the floor: corners, or close points of a curve
+  bool ideal_closed{false};
+  std::vector<EstimateView> estimates;
   /// Yaw of magnetic north in W; pi/2 is up, as on a plan.
   double north_yaw_rad{robot::kPi / 2.0};
 };

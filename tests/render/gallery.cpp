@@ -8,8 +8,11 @@
 #include <string>
 
 #include "made_up_house.hpp"
+#include "made_up_run.hpp"
 #include "render/mapping_pictures.hpp"
 #include "render/offscreen_context.hpp"
+#include "render/phase_charts.hpp"
+#include "render/phase_pictures.hpp"
 #include "render/png_writer.hpp"
 #include "robot/base/random.hpp"
 
@@ -93,6 +96,37 @@ LineChart log_chart() {
 
 }  // namespace
 
+namespace {
+
+/// Everything about ceiling tags and phases.
+bool save_phase_pictures(const std::filesystem::path& folder, OffscreenContext& gl) {
+  bool ok = true;
+  SceneView open = made_up_ceiling();
+  open.walls.clear();
+  const auto keep = [&](const char* name, const auto& picture) {
+    ok = save(folder / (std::string("phase_") + name + ".png"), picture, "cairo") && ok;
+  };
+  keep("line", draw_phase_sheet(made_up_line()));
+  keep("star", draw_phase_sheet(made_up_star()));
+  keep("hallway", draw_phase_sheet(made_up_hallway()));
+  keep("circle", draw_phase_sheet(made_up_circle()));
+  keep("hall", draw_phase_sheet(made_up_hall()));
+  keep("plan", draw_phase_plan(made_up_hallway()));
+  keep("error", draw_tracking_error(made_up_star()));
+  keep("estimates", draw_estimates_sheet(made_up_hallway()));
+  keep("estimates_hall", draw_estimates_sheet(made_up_hall()));
+  keep("oblique", draw_oblique_view(gl, made_up_ceiling()));
+  keep("oblique_hall", draw_oblique_view(gl, made_up_ceiling(made_up_hall(), 500.0, 21)));
+  keep("oblique_star", draw_oblique_view(gl, made_up_ceiling(made_up_star(), 70.0, 3)));
+  keep("oblique_open", draw_oblique_view(gl, open));
+  keep("top", draw_top_view(gl, made_up_ceiling()));
+  keep("noise", draw_noise(made_up_noise()));
+  keep("controller", draw_controller(made_up_controller()));
+  return ok;
+}
+
+}  // namespace
+
 int main(int argc, char** argv) {
   if (argc < 2) {
     std::fprintf(stderr, "usage: render_gallery FOLDER [osmesa|egl]\n");
@@ -142,5 +176,6 @@ int main(int argc, char** argv) {
   if (const auto svg = draw_svg(tags_over_time_chart(made_up_runs()))) {
     ok = write(folder / "tags_over_time.svg", svg->data(), svg->size()) && ok;
   }
+  ok = save_phase_pictures(folder, gl) && ok;
   return ok ? 0 : 70;
 }

@@ -14,10 +14,13 @@ constexpr double kRightUnits = 64.0;
 constexpr double kRowUnits = 40.0;
 constexpr double kIntervalUnits = 30.0;
 constexpr double kAfterRowsUnits = 26.0;
+constexpr double kLimitUnits = 28.0;
 constexpr double kTextLeftUnits = 48.0;
 /// A limit is part of the axis while it lies within so many spans of the values. Chosen: the values still
 /// fill a quarter of the chart.
 constexpr double kNearSpans = 3.0;
+/// Of whole numbers so many at least: fewer would make a wall of one colour, with ticks between the numbers.
+constexpr double kWholeSpanMin = 11.0;
 
 struct Bin {
   double low{0.0};
@@ -96,9 +99,8 @@ struct Bins {
       range = {std::min(range.low, limit.value), std::max(range.high, limit.value)};
     }
   }
-  // A few whole numbers do not become a wall of one colour.
-  const double air =
-      std::max(0.06 * (range.high - range.low), bins.whole && bins.bins.size() < 7 ? 2.0 : 0.0);
+  const double span = range.high - range.low;
+  const double air = std::max(0.06 * span, bins.whole ? (kWholeSpanMin - span) / 2.0 : 0.0);
   return {range.low - air, range.high + air};
 }
 
@@ -194,26 +196,38 @@ void draw_bars(Canvas& canvas, const Chart& placed, const Bins& bins, double u) 
   }
 }
 
+/// Where the line of a limit stands: among whole numbers, beside the bar that still keeps it.
+[[nodiscard]] double line_of(const DistributionLimit& limit, bool whole) {
+  const bool on_bar = whole && limit.value == std::nearbyint(limit.value);
+  return limit.value + (on_bar ? (limit.upper ? 0.5 : -0.5) : 0.0);
+}
+
 /// Each limit's words on a line of their own, so that near limits do not write over each other.
-void draw_limits(Canvas& canvas, const DistributionChart& chart, const Chart& placed, double u) {
+void draw_limits(Canvas& canvas, const DistributionChart& chart, const Chart& placed, bool whole, double u) {
   const RectPx& plot = placed.plot;
+  const auto share_of = [&](const DistributionLimit& limit) {
+    return share_along(placed.x, line_of(limit, whole));
+  };
+  for (const DistributionLimit& limit : chart.limits) {
+    if (const double share = share_of(limit); share >= 0.0 && share <= 1.0) {
+      const double x = plot.x + share * plot.width;
+      canvas.line({x, plot.bottom()}, {x, plot.y}, {2.5 * u, limit.color, 8.0 * u});
+    }
+  }
   double y = plot.y + 16.0 * u;
   for (const DistributionLimit& limit : chart.limits) {
-    const double share = share_along(placed.x, limit.value);
-    TextStyle style{20.0 * u, limit.color, true, Align::kLeft, 0.0, palette::kPaper.with_alpha(230)};
+    const double share = share_of(limit);
+    const bool right = share > 0.6;
+    const TextStyle style{20.0 * u, limit.color,
+                          true,     right ? Align::kRight : Align::kLeft,
+                          0.0,      palette::kPaper.with_alpha(240)};
     if (share < 0.0 || share > 1.0) {
-      const bool right = share > 1.0;
-      style.align = right ? Align::kRight : Align::kLeft;
       canvas.text({right ? plot.right() : plot.x + 10.0 * u, y},
                   right ? limit.label + " \u2192" : "\u2190 " + limit.label, style);
     } else {
-      const double x = plot.x + share * plot.width;
-      canvas.line({x, plot.bottom()}, {x, plot.y}, {2.5 * u, limit.color, 8.0 * u});
-      const bool left = share > 0.6;
-      style.align = left ? Align::kRight : Align::kLeft;
-      canvas.text({x + (left ? -10.0 : 10.0) * u, y}, limit.label, style);
+      canvas.text({plot.x + share * plot.width + (right ? -10.0 : 10.0) * u, y}, limit.label, style);
     }
-    y += 28.0 * u;
+    y += kLimitUnits * u;
   }
 }
 
@@ -237,7 +251,7 @@ void draw_limits(Canvas& canvas, const DistributionChart& chart, const Chart& pl
   const double rows_top = placed.plot.y - 44.0 * u;
   placed.plot.y += rows;
   // Room above the highest bar for the words of the limits.
-  const double words = 28.0 * u * static_cast<double>(chart.limits.size()) / placed.plot.height;
+  const double words = kLimitUnits * u * static_cast<double>(chart.limits.size()) / placed.plot.height;
   placed.x = {chart.frame.x.label, false, range_of(chart, bins)};
   placed.y = {chart.frame.y.label, false,
               ChartRange{0.0, std::max(4.0, most * 1.06) / std::max(0.4, 1.0 - words)}};
@@ -246,7 +260,7 @@ void draw_limits(Canvas& canvas, const DistributionChart& chart, const Chart& pl
   draw_axes(canvas, chart.frame, placed.plot, placed.x, placed.y);
   draw_rows(canvas, chart, placed, rows_top, u);
   draw_bars(canvas, placed, bins, u);
-  draw_limits(canvas, chart, placed, u);
+  draw_limits(canvas, chart, placed, bins.whole, u);
   return placed;
 }
 

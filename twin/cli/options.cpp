@@ -82,14 +82,13 @@ std::variant<std::vector<std::uint64_t>, std::string> seeds_from(const std::stri
   return seeds;
 }
 
-void add_scene_options(CLI::App& app, SceneChoice& choice) {
-  add_scene_and_changes(app, choice);
-  add_seed_option(
-      app, [&choice](std::uint64_t seed) { choice.seed = seed; }, "Seed instead of the scene's");
+namespace {
+
+void add_scene_operand(CLI::App& app, SceneChoice& choice) {
+  app.add_option("SCENE", choice.scene, "Scene file (YAML)")->required()->option_text(" ");
 }
 
-void add_scene_and_changes(CLI::App& app, SceneChoice& choice) {
-  app.add_option("SCENE", choice.scene, "Scene file (YAML)")->required()->option_text(" ");
+void add_set_option(CLI::App& app, SceneChoice& choice) {
   app.add_option("--set", choice.set, "Change a value of the scene; may be repeated")
       ->option_text("KEY.PATH=VALUE")
       ->allow_extra_args(false)
@@ -98,6 +97,20 @@ void add_scene_and_changes(CLI::App& app, SceneChoice& choice) {
         return equals == std::string::npos || equals == 0 ? "'" + text + "' is not of the form key.path=value"
                                                           : std::string{};
       });
+}
+
+}  // namespace
+
+void add_scene_options(CLI::App& app, SceneChoice& choice) {
+  add_scene_operand(app, choice);
+  add_seed_option(
+      app, [&choice](std::uint64_t seed) { choice.seed = seed; }, "Seed instead of the scene's");
+  add_set_option(app, choice);
+}
+
+void add_scene_and_changes(CLI::App& app, SceneChoice& choice) {
+  add_scene_operand(app, choice);
+  add_set_option(app, choice);
 }
 
 void add_output_options(CLI::App& app, std::optional<std::filesystem::path>& out, bool& force,

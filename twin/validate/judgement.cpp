@@ -177,7 +177,7 @@ std::string sentence_of(const Threshold& threshold) {
     case Measure::kEverySeed:
       return bound + " in every seed";
     case Measure::kShare:
-      return bound + fmt::format(" in {:.6g} % of the seeds", 100.0 * threshold.share);
+      return bound + fmt::format(" in at least {:.6g} % of the seeds", 100.0 * threshold.share);
     case Measure::kMean:
     case Measure::kQuantile:
       break;

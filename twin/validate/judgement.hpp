@@ -84,7 +84,8 @@ struct JudgementOptions {
 [[nodiscard]] std::vector<std::uint64_t> worst_seeds(std::span<const JudgedThreshold> judged,
                                                      std::span<const RunOutcome> runs, int count);
 
-/// "minutes at most 5 in every seed", "median of minutes at most 4.2".
+/// "minutes at most 5 in every seed", "minutes at most 5 in at least 95 % of the seeds", "median of minutes
+/// at most 4.2".
 [[nodiscard]] std::string sentence_of(const Threshold& threshold);
 /// "kept", "missed", "open".
 [[nodiscard]] std::string_view name_of(Outcome outcome);

@@ -12,9 +12,9 @@ namespace sensotwin::render {
 /// A limit that a distribution is held against.
 struct DistributionLimit {
   double value{0.0};
-  bool upper{true};    ///< a maximum, else a minimum
-  bool of_each{true};  ///< of each value: those beyond it are drawn in another colour
-  std::string label;   ///< "at most 5"
+  bool upper{true};     ///< a maximum, else a minimum
+  bool of_each{true};   ///< of each value: those beyond it are drawn in another colour
+  std::string label{};  ///< "at most 5"
   Rgba color{palette::kVermilion};
 };
 
@@ -23,9 +23,9 @@ struct DistributionRow {
   std::string text;
   Rgba color{palette::kGreen};
   /// On the axis of the values. An end that is infinite runs to the edge, with an arrow.
-  std::optional<ChartRange> interval;
-  double estimate{0.0};         ///< a disc on the interval; only with one
-  std::optional<double> limit;  ///< a tick on the interval's line
+  std::optional<ChartRange> interval{};
+  double estimate{0.0};           ///< a disc on the interval; only with one
+  std::optional<double> limit{};  ///< a tick on the interval's line
 };
 
 /// Values as a histogram, limits across it, and what follows from them in rows above. Bars are one wide where

@@ -46,7 +46,9 @@ TEST(SeedRuns, AreTheRunsThatTwinRunMakes) {
   Scene scene = lesson();
   scene.seed = 8;
   RunFolder run(folder / "run", Existing::kRefuse);
-  const Summary summary = run_mapping(scene, run, {.scene_as_given = "s", .pictures = false});
+  MappingRunOptions options;
+  options.pictures = false;
+  const Summary summary = run_mapping(scene, run, options);
   EXPECT_EQ(table.at(8).state_hash, summary.state_hash);
   EXPECT_EQ(table.at(8).figures, figures_of(summary));
 }

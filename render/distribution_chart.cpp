@@ -198,7 +198,7 @@ void draw_bars(Canvas& canvas, const Chart& placed, const Bins& bins, double u) 
 
 /// Where the line of a limit stands: among whole numbers, beside the bar that still keeps it.
 [[nodiscard]] double line_of(const DistributionLimit& limit, bool whole) {
-  const bool on_bar = whole && limit.value == std::nearbyint(limit.value);
+  const bool on_bar = whole && limit.of_each && limit.value == std::nearbyint(limit.value);
   return limit.value + (on_bar ? (limit.upper ? 0.5 : -0.5) : 0.0);
 }
 

@@ -171,6 +171,10 @@ ExitCode validate_deed(const ValidateOptions& options, Context& context) {
     write_file(*options.junit, to_junit(validation), true);
   }
   context.out << (context.json ? to_json(validation) : to_table(validation));
+  if (all && options.pictures && !validation.worst.empty()) {
+    context.say(
+        fmt::format("running the worst seeds again, with pictures: {}", seeds_text(validation.worst)));
+  }
   const bool drawn = all && (!options.pictures || (draw_distributions(validation, folder, may_go_on) &&
                                                    run_worst_again(scene, validation, folder, may_go_on)));
   context.say(fmt::format("report in {}", path.string()));

@@ -9,6 +9,7 @@
 
 #include "twin/cli/deed_support.hpp"
 #include "twin/cli/deeds.hpp"
+#include "twin/output/output_file.hpp"
 #include "twin/output/signals.hpp"
 #include "twin/run/mapping_run.hpp"
 #include "twin/validate/junit.hpp"
@@ -64,6 +65,16 @@ SeedTable seeds_in(const fs::path& file, const Origin& origin) {
   } catch (const SeedTableError& error) {
     throw CommandError(ExitCode::kInvalidData, fmt::format("{}; --force begins anew", error.what()));
   }
+}
+
+/// Where a validation goes when nobody said where: a folder of its own, also for the second one of a second.
+fs::path new_folder(const fs::path& scene, const std::string& utc) {
+  const fs::path wanted = default_validation_folder(scene, utc);
+  fs::path path = wanted;
+  for (int i = 2; fs::exists(path); ++i) {
+    path = wanted.string() + fmt::format("-{}", i);
+  }
+  return path;
 }
 
 /// Runs what is missing, showing how far it is and saving now and then. \returns whether all is there
@@ -142,9 +153,9 @@ void check_before(const Scene& scene, const ValidateOptions& options, const Cont
   if (scene.expect.empty()) {
     context.warn(fmt::format("{}: nothing is expected (expect:), so nothing can be missed", scene.file));
   }
-  if (options.junit && !options.force && !options.resume && fs::exists(*options.junit)) {
-    throw CommandError(ExitCode::kCannotCreate,
-                       fmt::format("{}: exists; --force replaces it", options.junit->string()));
+  if (options.junit) {
+    // Replaced without being asked, as by every other program that writes JUnit XML.
+    const OutputFile writable(*options.junit);
   }
 }
 
@@ -157,7 +168,7 @@ ExitCode validate_deed(const ValidateOptions& options, Context& context) {
   const Scene scene = scene_of(options.choice);
   check_before(scene, options, context);
   const Origin origin{scene_hash_of(scene), file_hash_of("/proc/self/exe")};
-  const fs::path path = options.out.value_or(default_validation_folder(options.choice.scene, context.utc()));
+  const fs::path path = options.out ? *options.out : new_folder(options.choice.scene, context.utc());
   // Read before anything is removed: whoever cannot go on finds the folder as it was.
   SeedTable table;
   if (options.resume && fs::exists(path / kSeedsFile)) {

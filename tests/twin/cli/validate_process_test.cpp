@@ -157,6 +157,29 @@ TEST(ValidateProcess, RefusesAnExpectationOfNoFigureBeforeItRuns) {
   EXPECT_TRUE(std::filesystem::is_empty(folder.path()));
 }
 
+TEST(ValidateProcess, FindsThatItsJUnitFileCannotBeWrittenBeforeItRuns) {
+  const TemporaryFolder folder;
+  const Outcome outcome =
+      twin(line("--seeds 1..100000 --junit " + quoted(folder / "none/junit.xml"), folder / "report"));
+  EXPECT_EQ(outcome.code, 73);
+  EXPECT_THAT(outcome.err, HasSubstr("none/junit.xml"));
+  EXPECT_TRUE(std::filesystem::is_empty(folder.path()));
+}
+
+TEST(ValidateProcess, GoesToAFolderOfItsOwnWhenNoneIsNamed) {
+  const TemporaryFolder folder;
+  const std::string here = "cd " + quoted(folder.path()) + " &&";
+  const std::string rest = "-q validate '" + kLesson + "' --seeds 1 --no-pictures --junit junit.xml";
+  EXPECT_EQ(twin(rest, here).code, 0);
+  EXPECT_EQ(twin(rest, here).code, 0);
+  int reports = 0;
+  for (const auto& entry : std::filesystem::directory_iterator(folder / "runs")) {
+    EXPECT_TRUE(entry.path().filename().string().starts_with("validate-lesson_2x2-")) << entry.path();
+    reports += std::filesystem::exists(entry.path() / "report.json") ? 1 : 0;
+  }
+  EXPECT_EQ(reports, 2);
+}
+
 TEST(ValidateProcess, HelpOpensWithExamples) {
   const Outcome outcome = twin("validate --help");
   EXPECT_EQ(outcome.code, 0);

@@ -49,7 +49,8 @@ void add_seed_option(CLI::App& app, const std::function<void(std::uint64_t)>& st
 }
 
 std::variant<std::vector<std::uint64_t>, std::string> seeds_from(const std::string& text) {
-  constexpr std::size_t kSeedsMax = 1'000'000;
+  // Chosen: at some 5 kB of figures a seed, half a gigabyte.
+  constexpr std::size_t kSeedsMax = 100'000;
   std::vector<std::uint64_t> seeds;
   for (std::size_t begin = 0; begin <= text.size();) {
     const std::size_t end = std::min(text.find(',', begin), text.size());

@@ -23,8 +23,7 @@ void add_seed_option(CLI::App& app, const std::function<void(std::uint64_t)>& st
 /// Check for an option's number: in [min, max]. CLI::Range lets "nan" through.
 [[nodiscard]] CLI::Validator number_between(double min, double max);
 
-/// "1..200", "7", "1..20,42": ascending, each once; else what is wrong with the text. Chosen: a million at
-/// most.
+/// "1..200", "7", "1..20,42": ascending, each once, at most 100 000; else what is wrong with the text.
 [[nodiscard]] std::variant<std::vector<std::uint64_t>, std::string> seeds_from(const std::string& text);
 
 /// Decimal or 0x... hexadecimal, 64 bits; nothing for other text (octal included: 010 is ten).

@@ -29,6 +29,15 @@ bool may_go_on() {
   return !pending_interruption();
 }
 
+void remove_or_throw(const fs::path& path) {
+  std::error_code error;
+  fs::remove_all(path, error);
+  if (error) {
+    throw CommandError(ExitCode::kCannotCreate,
+                       fmt::format("{}: cannot be replaced: {}", path.string(), error.message()));
+  }
+}
+
 /// The folder as the options want it: new, emptied of an earlier validation, or as it is.
 RunFolder open_folder(const fs::path& path, const ValidateOptions& options) {
   const bool earlier = fs::exists(path / kSeedsFile);
@@ -44,11 +53,11 @@ RunFolder open_folder(const fs::path& path, const ValidateOptions& options) {
   if (earlier) {
     // An old verdict, its charts and its worst seeds never lie beside new data.
     for (const char* stale : {"report.json", "distributions", "worst"}) {
-      fs::remove_all(path / stale);
+      remove_or_throw(path / stale);
     }
   }
   if (earlier && !options.resume) {
-    fs::remove(path / kSeedsFile);
+    remove_or_throw(path / kSeedsFile);
   }
   return folder;
 }

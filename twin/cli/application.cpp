@@ -8,9 +8,9 @@
 #include <ostream>
 
 #include "twin/cli/help_formatter.hpp"
-#include "twin/cli/nearest_name.hpp"
 #include "twin/cli/version.hpp"
 #include "twin/output/output_error.hpp"
+#include "twin/scene/nearest_name.hpp"
 
 namespace sensotwin::twin {
 namespace {
@@ -80,7 +80,7 @@ std::optional<std::string> unknown_word(const CLI::App& app, const std::vector<C
       const auto own = option_names(*chosen.front());
       names.insert(names.begin(), own.begin(), own.end());
     }
-    return "unknown option '" + word + "'" + nearest_name_hint(word, names);
+    return "unknown option '" + word + "'" + did_you_mean(word, names);
   }
   if (chosen.empty()) {
     std::vector<std::string> names;
@@ -88,7 +88,7 @@ std::optional<std::string> unknown_word(const CLI::App& app, const std::vector<C
     for (const Command& command : commands) {
       names.push_back(command.name);
     }
-    return "unknown command '" + word + "'" + nearest_name_hint(word, names);
+    return "unknown command '" + word + "'" + did_you_mean(word, names);
   }
   return "unexpected operand '" + word + "'";
 }

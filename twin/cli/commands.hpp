@@ -33,6 +33,22 @@ struct RunOptions {
 };
 [[nodiscard]] Command make_run_command(Deed<RunOptions> deed);
 
+struct ValidateOptions {
+  SceneChoice choice{};
+  std::vector<std::uint64_t> seeds{};          ///< ascending, each once
+  int jobs{0};                                 ///< 0: as many as there are processors
+  double confidence{0.95};                     ///< of every interval
+  double rate{1.0};                            ///< of seeds that must keep a limit; 1: every seed
+  std::string intervals{"clopper-pearson"};    ///< of rates: clopper-pearson, wilson
+  std::optional<std::filesystem::path> out{};  ///< none: default_validation_folder()
+  bool force{false};
+  bool resume{false};
+  std::optional<std::filesystem::path> junit{};
+  int worst{3};  ///< seeds to run again with pictures. Chosen: a look each for three different troubles
+  bool pictures{true};
+};
+[[nodiscard]] Command make_validate_command(Deed<ValidateOptions> deed);
+
 struct ShowOptions {
   SceneChoice choice{};
 };

@@ -8,9 +8,9 @@
 #include <ostream>
 #include <utility>
 
-#include "twin/cli/nearest_name.hpp"
 #include "twin/cli/options.hpp"
 #include "twin/output/summary.hpp"
+#include "twin/scene/nearest_name.hpp"
 
 namespace sensotwin::twin {
 namespace {
@@ -53,7 +53,7 @@ ExitCode list(const std::vector<ListTopic>& topics, const std::string& wanted, C
   }
   throw CommandError(ExitCode::kWrongCommandLine,
                      fmt::format("there is no list of '{}'{}; there are {}", wanted,
-                                 nearest_name_hint(wanted, known), fmt::join(known, ", ")));
+                                 did_you_mean(wanted, known), fmt::join(known, ", ")));
 }
 
 /// The lesson that a scene opens with.

@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <charconv>
 
 namespace sensotwin::twin {
@@ -47,10 +48,48 @@ void add_seed_option(CLI::App& app, const std::function<void(std::uint64_t)>& st
       ->option_text("N");
 }
 
-void add_scene_options(CLI::App& app, SceneChoice& choice) {
+std::variant<std::vector<std::uint64_t>, std::string> seeds_from(const std::string& text) {
+  // Chosen: at some 5 kB of figures a seed, half a gigabyte.
+  constexpr std::size_t kSeedsMax = 100'000;
+  std::vector<std::uint64_t> seeds;
+  for (std::size_t begin = 0; begin <= text.size();) {
+    const std::size_t end = std::min(text.find(',', begin), text.size());
+    const std::string part = text.substr(begin, end - begin);
+    const std::size_t dots = part.find("..");
+    const auto first = seed_from(part.substr(0, dots));
+    const auto last = dots == std::string::npos ? first : seed_from(part.substr(dots + 2));
+    if (!first || !last) {
+      return fmt::format("'{}' is no seed and no range of seeds such as 1..200", part);
+    }
+    if (*last < *first) {
+      return fmt::format("'{}' runs backwards", part);
+    }
+    if (*last - *first >= kSeedsMax - seeds.size()) {
+      return fmt::format("'{}' makes more than {} seeds", text, kSeedsMax);
+    }
+    for (std::uint64_t seed = *first;; ++seed) {
+      seeds.push_back(seed);
+      if (seed == *last) {
+        break;
+      }
+    }
+    begin = end + 1;
+  }
+  std::sort(seeds.begin(), seeds.end());
+  const auto twice = std::adjacent_find(seeds.begin(), seeds.end());
+  if (twice != seeds.end()) {
+    return fmt::format("seed {} is there twice", *twice);
+  }
+  return seeds;
+}
+
+namespace {
+
+void add_scene_operand(CLI::App& app, SceneChoice& choice) {
   app.add_option("SCENE", choice.scene, "Scene file (YAML)")->required()->option_text(" ");
-  add_seed_option(
-      app, [&choice](std::uint64_t seed) { choice.seed = seed; }, "Seed instead of the scene's");
+}
+
+void add_set_option(CLI::App& app, SceneChoice& choice) {
   app.add_option("--set", choice.set, "Change a value of the scene; may be repeated")
       ->option_text("KEY.PATH=VALUE")
       ->allow_extra_args(false)
@@ -59,6 +98,20 @@ void add_scene_options(CLI::App& app, SceneChoice& choice) {
         return equals == std::string::npos || equals == 0 ? "'" + text + "' is not of the form key.path=value"
                                                           : std::string{};
       });
+}
+
+}  // namespace
+
+void add_scene_options(CLI::App& app, SceneChoice& choice) {
+  add_scene_operand(app, choice);
+  add_seed_option(
+      app, [&choice](std::uint64_t seed) { choice.seed = seed; }, "Seed instead of the scene's");
+  add_set_option(app, choice);
+}
+
+void add_scene_and_changes(CLI::App& app, SceneChoice& choice) {
+  add_scene_operand(app, choice);
+  add_set_option(app, choice);
 }
 
 void add_output_options(CLI::App& app, std::optional<std::filesystem::path>& out, bool& force,

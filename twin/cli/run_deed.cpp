@@ -25,6 +25,9 @@ std::string table_of(const Summary& summary) {
     table += fmt::format("{:<28} {:>14.6g}\n", name, value);
   }
   for (const JudgedFigure& figure : summary.expect) {
+    if (!figure.asked.min && !figure.asked.max) {
+      continue;  // asked of many seeds only
+    }
     std::string bounds;
     if (figure.asked.min) {
       bounds += fmt::format(" at least {:g}", *figure.asked.min);

@@ -111,4 +111,10 @@ fs::path default_run_folder(const fs::path& scene_file, std::uint64_t seed, std:
   return fs::path{"runs"} / name;
 }
 
+fs::path default_validation_folder(const fs::path& scene_file, std::string_view utc) {
+  std::string name = "validate-" + scene_file.stem().string();
+  name.append("-").append(utc);
+  return fs::path{"runs"} / name;
+}
+
 }  // namespace sensotwin::twin

@@ -52,4 +52,8 @@ class RunFolder {
 [[nodiscard]] std::filesystem::path default_run_folder(const std::filesystem::path& scene_file,
                                                        std::uint64_t seed, std::string_view utc);
 
+/// Where a validation goes when nobody said where: runs/validate-<scene>-<utc>.
+[[nodiscard]] std::filesystem::path default_validation_folder(const std::filesystem::path& scene_file,
+                                                              std::string_view utc);
+
 }  // namespace sensotwin::twin

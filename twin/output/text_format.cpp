@@ -67,6 +67,29 @@ void append_escaped(std::string& to, char c) {
   to += c;
 }
 
+/// One ASCII character; none that XML forbids comes here.
+void append_xml_character(std::string& to, char c) {
+  switch (c) {
+    case '&':
+      to += "&amp;";
+      return;
+    case '<':
+      to += "&lt;";
+      return;
+    case '>':
+      to += "&gt;";
+      return;
+    case '"':
+      to += "&quot;";
+      return;
+    case '\'':
+      to += "&apos;";
+      return;
+    default:
+      to += c;
+  }
+}
+
 }  // namespace
 
 void append_json_string(std::string& to, std::string_view text) {
@@ -83,6 +106,24 @@ void append_json_string(std::string& to, std::string_view text) {
     text.remove_prefix(length == 0 ? 1 : length);
   }
   to += '"';
+}
+
+void append_xml_text(std::string& to, std::string_view text) {
+  while (!text.empty()) {
+    const std::size_t length = utf8_length(text);
+    const auto first = static_cast<unsigned char>(text[0]);
+    const bool control = first < 0x20 && first != '\t' && first != '\n' && first != '\r';
+    // U+FFFE and U+FFFF are UTF-8, but no characters.
+    const bool forbidden = control || text.starts_with("\xEF\xBF\xBE") || text.starts_with("\xEF\xBF\xBF");
+    if (length == 0 || forbidden) {
+      to += "\xEF\xBF\xBD";
+    } else if (length == 1) {
+      append_xml_character(to, text[0]);
+    } else {
+      to += text.substr(0, length);
+    }
+    text.remove_prefix(length == 0 ? 1 : length);
+  }
 }
 
 }  // namespace sensotwin::twin

@@ -65,4 +65,9 @@ template <int Decimals>
 /// so that a line is valid JSON whatever a device put into it.
 void append_json_string(std::string& to, std::string_view text);
 
+/// `text` as XML wants it between tags and in attributes between double quotation marks: the five entities,
+/// line feeds kept; each byte that is not UTF-8 and each character that XML 1.0 (section 2.2) forbids becomes
+/// U+FFFD.
+void append_xml_text(std::string& to, std::string_view text);
+
 }  // namespace sensotwin::twin

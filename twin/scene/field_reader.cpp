@@ -6,6 +6,8 @@
 
 #include <algorithm>
 
+#include "twin/scene/nearest_name.hpp"
+
 namespace sensotwin::twin {
 
 FieldReader::FieldReader(const YamlNode& root, std::vector<Problem>& problems) : problems_(problems) {

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "twin/scene/field_reader.hpp"
+#include "twin/scene/nearest_name.hpp"
 
 /// The half of the reader that turns written values into numbers, points and words.
 namespace sensotwin::twin {

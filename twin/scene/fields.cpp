@@ -271,22 +271,42 @@ void mission_fields(FieldVisitor& v, Mission& mission) {
   v.one_of(mission.map ? std::optional<std::size_t>{0} : std::nullopt, missions);
 }
 
+void bounds_fields(FieldVisitor& v, std::optional<double>& min, std::optional<double>& max) {
+  v.maybe({"min", "not less than this"}, min, [&](double& value) {
+    v.number({"min", "not less than this"}, value, {});
+  });
+  v.maybe({"max", "not more than this"}, max, [&](double& value) {
+    v.number({"max", "not more than this"}, value, {});
+  });
+}
+
 void expect_fields(FieldVisitor& v, std::vector<Expectation>& expect) {
   v.named(
       {"expect", "figures of the summary and the bounds they must keep"}, expect.size(),
       [&](std::size_t i) { return expect[i].name; },
       [&](const std::string& name) {
-        expect.push_back({name, std::nullopt, std::nullopt});
+        expect.push_back({.name = name, .min = std::nullopt, .max = std::nullopt});
         return expect.size() - 1;
       },
       [&](std::size_t i) {
-        v.maybe({"min", "not less than this"}, expect[i].min, [&](double& value) {
-          v.number({"min", "not less than this"}, value, {});
+        bounds_fields(v, expect[i].min, expect[i].max);
+        const Field rate{"rate", "share of the seeds of a validation that must keep min and max"};
+        v.maybe(rate, expect[i].rate_min, [&](double& value) {
+          v.section(rate, [&] {
+            v.number({"min", "above 0, at most 1; 1 is every seed", true}, value, {0.0, 1.0, true});
+          });
         });
-        v.maybe({"max", "not more than this"}, expect[i].max, [&](double& value) {
-          v.number({"max", "not more than this"}, value, {});
-        });
-        v.some_of({"min", "max"});
+        for (std::size_t k = 0; k < kSeedStatistics.size(); ++k) {
+          const Field field{kSeedStatistics[k].key, kSeedStatistics[k].help};
+          v.maybe(field, expect[i].statistics[k], [&](Bounds& bounds) {
+            v.section(field, [&] {
+              bounds_fields(v, bounds.min, bounds.max);
+              v.some_of({"min", "max"});
+            });
+          });
+        }
+        v.some_of(
+            {"min", "max", "mean", "median", "quantile_2_5", "quantile_5", "quantile_95", "quantile_97_5"});
       });
 }
 

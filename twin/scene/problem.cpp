@@ -50,25 +50,6 @@ std::string joined(const std::vector<Problem>& problems) {
   return text;
 }
 
-/// Edits between two words: insert, delete, replace, or swap neighbours (optimal string alignment).
-std::size_t edits(const std::string& a, const std::string& b) {
-  std::vector<std::vector<std::size_t>> d(a.size() + 1, std::vector<std::size_t>(b.size() + 1, 0));
-  for (std::size_t i = 0; i <= a.size(); ++i) {
-    for (std::size_t j = 0; j <= b.size(); ++j) {
-      if (i == 0 || j == 0) {
-        d[i][j] = i + j;
-        continue;
-      }
-      d[i][j] =
-          std::min({d[i - 1][j] + 1, d[i][j - 1] + 1, d[i - 1][j - 1] + (a[i - 1] == b[j - 1] ? 0u : 1u)});
-      if (i > 1 && j > 1 && a[i - 1] == b[j - 2] && a[i - 2] == b[j - 1]) {
-        d[i][j] = std::min(d[i][j], d[i - 2][j - 2] + 1);
-      }
-    }
-  }
-  return d[a.size()][b.size()];
-}
-
 }  // namespace
 
 std::string Place::text() const {
@@ -89,24 +70,6 @@ SceneError::SceneError(std::vector<Problem> problems, int exit_code)
       problems_(sorted(std::move(problems))),
       exit_code_(exit_code) {
   assert(!problems_.empty());
-}
-
-std::string did_you_mean(const std::string& word, const std::vector<std::string>& candidates) {
-  // A long word compares in quadratic time and is no slip of the finger.
-  constexpr std::size_t kWordMax = 64;
-  if (word.size() > kWordMax) {
-    return "";
-  }
-  std::size_t best_edits = std::max<std::size_t>(1, word.size() / 3) + 1;
-  const std::string* best = nullptr;
-  for (const std::string& candidate : candidates) {
-    const std::size_t count = edits(word, candidate);
-    if (count < best_edits) {
-      best_edits = count;
-      best = &candidate;
-    }
-  }
-  return best == nullptr ? "" : fmt::format(" (did you mean '{}'?)", *best);
 }
 
 }  // namespace sensotwin::twin

@@ -51,8 +51,4 @@ class SceneError : public std::runtime_error {
   int exit_code_;
 };
 
-/// The candidate that `word` most likely meant, as " (did you mean 'x'?)"; empty when none is near.
-/// Near: at most a third of the letters edited, swapped neighbours counted as one edit.
-[[nodiscard]] std::string did_you_mean(const std::string& word, const std::vector<std::string>& candidates);
-
 }  // namespace sensotwin::twin

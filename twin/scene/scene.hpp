@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -79,11 +81,36 @@ struct Mission {
   std::optional<MapMission> map;
 };
 
-/// A figure of the summary and the bounds it must keep, both inclusive; at least one is set.
+/// Inclusive; at least one is set.
+struct Bounds {
+  std::optional<double> min;
+  std::optional<double> max;
+};
+
+/// What the runs of many seeds come to in one figure.
+struct SeedStatistic {
+  std::string_view key;
+  std::string_view help;
+  std::optional<double> quantile;  ///< none: the mean
+};
+inline constexpr std::array<SeedStatistic, 6> kSeedStatistics{{
+    {"mean", "over the seeds of a validation", std::nullopt},
+    {"median", "over the seeds of a validation", 0.5},
+    {"quantile_2_5", "below which 2.5 % of the seeds of a validation lie", 0.025},
+    {"quantile_5", "below which 5 % of the seeds of a validation lie", 0.05},
+    {"quantile_95", "below which 95 % of the seeds of a validation lie", 0.95},
+    {"quantile_97_5", "below which 97.5 % of the seeds of a validation lie", 0.975},
+}};
+
+/// A figure of the summary and what is asked of it. `min` and `max`, both inclusive, of each run; the rest of
+/// many seeds together, by `twin validate` alone. At least one bound is set.
 struct Expectation {
   std::string name;
   std::optional<double> min;
   std::optional<double> max;
+  /// Share of the seeds, above 0 and at most 1, that must keep min and max; none: every seed.
+  std::optional<double> rate_min{};
+  std::array<std::optional<Bounds>, kSeedStatistics.size()> statistics{};
 };
 
 struct RunLimits {

@@ -149,12 +149,7 @@ void SceneChecks::shapes() {
 }
 
 void SceneChecks::figures() {
-  for (const Expectation& expectation : scene_.expect) {
-    if (expectation.min && expectation.max && *expectation.min > *expectation.max) {
-      add("expect." + expectation.name,
-          fmt::format("min {} is above max {}", *expectation.min, *expectation.max), "no run can keep both");
-    }
-  }
+  expectations();
   const world::RoombaDescription& base = scene_.robot.base;
   if (sound("robot.base") && base.battery_charge_mah > base.battery_capacity_mah) {
     add("robot.base.battery_charge_mah",
@@ -170,6 +165,27 @@ void SceneChecks::figures() {
   if (sound("world.carpet") && scene_.mission.map && !scene_.layout.carpet.laid) {
     add("world.carpet", "is none, but the mission is to map the carpet",
         "expected a carpet, or another mission");
+  }
+}
+
+void SceneChecks::expectations() {
+  const auto check = [this](const std::string& path, const std::optional<double>& min,
+                            const std::optional<double>& max) {
+    if (min && max && *min > *max) {
+      add(path, fmt::format("min {} is above max {}", *min, *max), "no run can keep both");
+    }
+  };
+  for (const Expectation& expectation : scene_.expect) {
+    const std::string path = "expect." + expectation.name;
+    check(path, expectation.min, expectation.max);
+    for (std::size_t i = 0; i < kSeedStatistics.size(); ++i) {
+      if (const auto& bounds = expectation.statistics[i]) {
+        check(fmt::format("{}.{}", path, kSeedStatistics[i].key), bounds->min, bounds->max);
+      }
+    }
+    if (expectation.rate_min && !expectation.min && !expectation.max) {
+      add(path + ".rate", "there is no limit for it", "expected min or max beside it");
+    }
   }
 }
 

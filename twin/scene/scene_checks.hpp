@@ -35,6 +35,7 @@ class SceneChecks {
   void names();
   void shapes();
   void figures();
+  void expectations();
   void carpet(const FloorPlan& floor);
   void furniture(const FloorPlan& floor);
   void markers(const FloorPlan& floor);

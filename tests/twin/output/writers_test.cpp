@@ -67,6 +67,13 @@ TEST(JsonString, ReplacesBytesThatAreNoUtf8) {
   }
 }
 
+TEST(XmlText, EscapesWhatXmlReservesAndReplacesWhatItForbids) {
+  std::string text;
+  append_xml_text(text, "<a b=\"c\">'R&D'\n\xC3\xBC\x01\xFF\xEF\xBF\xBE");
+  const std::string replaced = "\xEF\xBF\xBD";
+  EXPECT_EQ(text, "&lt;a b=&quot;c&quot;&gt;&apos;R&amp;D&apos;\n\xC3\xBC" + replaced + replaced + replaced);
+}
+
 TEST(TraceWriter, WritesHeaderAndRowsAsDocumented) {
   const TemporaryFolder folder;
   TraceWriter trace(OutputFile(folder / "trace.csv"), 1);

@@ -120,7 +120,20 @@ const std::vector<Mistake> kMissionMistakes{
     {"AMissionWithoutKind", "mission:\n  map: { explorer: idfm }", "mission: {}",
      "s.yaml:11:1: error: mission: needs map; none is given"},
     {"AnExpectationWithoutBounds", "{ min: 1 }", "{}",
-     "s.yaml:14:3: error: expect.tiles_mapped: needs min or max; none is given"},
+     "s.yaml:14:3: error: expect.tiles_mapped: needs min or max or mean or median or quantile_2_5 or "
+     "quantile_5 or quantile_95 or quantile_97_5; none is given"},
+    {"AStatisticOverSeedsWithoutBounds", "{ min: 1 }", "{ median: {} }",
+     "s.yaml:14:19: error: expect.tiles_mapped.median: needs min or max; none is given"},
+    {"AMisspeltStatistic", "{ min: 1 }", "{ min: 1, medain: { min: 1 } }",
+     "s.yaml:14:27: error: expect.tiles_mapped.medain: unknown key; expected one of: min, max, rate, mean, "
+     "median, quantile_2_5, quantile_5, quantile_95, quantile_97_5 (did you mean 'median'?)"},
+    {"AStatisticNobodyCanMeet", "{ min: 1 }", "{ mean: { min: 9, max: 3 } }",
+     "s.yaml:14:25: error: expect.tiles_mapped.mean: min 9 is above max 3; no run can keep both"},
+    {"ARateOfNothing", "{ min: 1 }", "{ mean: { min: 1 }, rate: { min: 0.9 } }",
+     "s.yaml:14:43: error: expect.tiles_mapped.rate: there is no limit for it; expected min or max beside "
+     "it"},
+    {"ARateInPerCent", "{ min: 1 }", "{ min: 1, rate: { min: 95 } }",
+     "s.yaml:14:40: error: expect.tiles_mapped.rate.min: is 95; expected a number above 0 and at most 1"},
     {"AnExpectationNobodyCanMeet", "{ min: 1 }", "{ min: 9, max: 3 }",
      "s.yaml:14:3: error: expect.tiles_mapped: min 9 is above max 3; no run can keep both"},
     {"AnExpectationWithACapital", "tiles_mapped", "TilesMapped",

@@ -37,7 +37,8 @@ robot:
   start: { at_m: [1, 1], heading_deg: -123.4 }
   base: { kind: roomba400, firmware: before_3.3.0 }
 mission: { map: { explorer: bfm_out_and_back, pace: paper } }
-expect: { tiles_mapped: { min: 1 }, "phase.rmse_m": { min: 0.001, max: 0.1 } }
+expect: { tiles_mapped: { min: 1 }, "phase.rmse_m": { min: 0.001, max: 0.1, rate: { min: 0.95 },
+          median: { max: 0.05 }, quantile_2_5: { min: 0.002, max: 0.01 } } }
 time_limit_s: 77.5
 )";
 
@@ -64,6 +65,12 @@ TEST(ShownScene, ReadsBackAsTheSameWorld) {
   EXPECT_EQ(after.robot.compass.noise_sigma_rad, before.robot.compass.noise_sigma_rad);
   EXPECT_EQ(after.mission.map->pace.tag_s, 4.4);
   EXPECT_EQ(after.expect[1].max, 0.1);
+  EXPECT_EQ(after.expect[1].rate_min, 0.95);
+  EXPECT_FALSE(after.expect[1].statistics[0]);
+  EXPECT_EQ(after.expect[1].statistics[1]->max, 0.05);
+  EXPECT_EQ(after.expect[1].statistics[1]->min, std::nullopt);
+  EXPECT_EQ(after.expect[1].statistics[2]->min, 0.002);
+  EXPECT_FALSE(after.expect[0].rate_min);
   EXPECT_EQ(after.limits.time_limit_s, 77.5);
 }
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "twin/cli/nearest_name.hpp"
+#include "twin/scene/nearest_name.hpp"
 
 #include <algorithm>
 #include <cstddef>
@@ -28,7 +28,12 @@ std::size_t edits_between(std::string_view a, std::string_view b) {
 
 }  // namespace
 
-std::string nearest_name_hint(std::string_view given, const std::vector<std::string>& names) {
+std::string did_you_mean(std::string_view given, const std::vector<std::string>& names) {
+  // A long word compares in quadratic time and is no slip of the finger.
+  constexpr std::size_t kLettersMax = 64;
+  if (given.size() > kLettersMax) {
+    return "";
+  }
   const std::string* nearest = nullptr;
   std::size_t fewest = 0;
   for (const std::string& name : names) {

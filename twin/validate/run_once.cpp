@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: MIT
+#include "twin/validate/run_once.hpp"
+
+#include "twin/output/run_folder.hpp"
+#include "twin/run/mapping_run.hpp"
+
+namespace sensotwin::twin {
+namespace {
+
+/// Rows of trace.csv nobody reads, unless someone will look at the pictures beside it.
+constexpr int kNoTrace = 1'000'000;
+
+/// By the mission's kind. A new kind of mission is one more line here.
+Summary run_mission(const Scene& scene, RunFolder& folder, const RunRequest& request) {
+  MappingRunOptions options;
+  options.scene_as_given = request.scene_as_given;
+  options.pictures = request.pictures;
+  if (!request.pictures) {
+    options.trace_every = kNoTrace;
+  }
+  options.keep_going = [&](const RunProgress&) { return !request.keep_going || request.keep_going(); };
+  return run_mapping(scene, folder, options);
+}
+
+}  // namespace
+
+std::optional<RunOutcome> run_once(const Scene& scene, std::uint64_t seed, const RunRequest& request) {
+  Scene seeded = scene;
+  seeded.seed = seed;
+  RunFolder folder(request.folder, Existing::kReplace);
+  const Summary summary = run_mission(seeded, folder, request);
+  if (summary.interrupted) {
+    return std::nullopt;
+  }
+  return RunOutcome{seed, figures_of(summary), summary.state_hash};
+}
+
+}  // namespace sensotwin::twin

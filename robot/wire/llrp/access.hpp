@@ -22,13 +22,13 @@ struct C1G2TargetTag {
   MemoryBank bank{};
   bool match{true};
   std::uint16_t bit_pointer{0};
-  BitArray mask;
-  BitArray data;
+  BitArray mask{};
+  BitArray data{};
   bool operator==(const C1G2TargetTag&) const = default;
 };
 struct C1G2TagSpec {
   static constexpr std::uint16_t kType = 338;
-  std::vector<C1G2TargetTag> targets;  ///< one or two; a tag has to match all
+  std::vector<C1G2TargetTag> targets{};  ///< one or two; a tag has to match all
   bool operator==(const C1G2TagSpec&) const = default;
 };
 
@@ -49,7 +49,7 @@ struct C1G2Writing {
   std::uint32_t password{0};
   MemoryBank bank{};
   std::uint16_t word{0};
-  std::vector<std::uint16_t> data;
+  std::vector<std::uint16_t> data{};
   bool operator==(const C1G2Writing&) const = default;
 };
 using C1G2Write = C1G2Writing<342>;
@@ -70,7 +70,7 @@ struct C1G2Lock {
   static constexpr std::uint16_t kType = 344;
   std::uint16_t op{0};
   std::uint32_t password{0};
-  std::vector<C1G2LockPayload> payloads;
+  std::vector<C1G2LockPayload> payloads{};
   bool operator==(const C1G2Lock&) const = default;
 };
 struct C1G2BlockErase {
@@ -86,9 +86,9 @@ using C1G2OpSpec = std::variant<C1G2Read, C1G2Write, C1G2BlockWrite, C1G2Kill, C
 
 struct AccessCommand {
   static constexpr std::uint16_t kType = 209;
-  C1G2TagSpec tags;
-  std::vector<C1G2OpSpec> operations;  ///< done in this order, up to the first that fails
-  std::vector<CustomParameter> customs;
+  C1G2TagSpec tags{};
+  std::vector<C1G2OpSpec> operations{};  ///< done in this order, up to the first that fails
+  std::vector<CustomParameter> customs{};
   bool operator==(const AccessCommand&) const = default;
 };
 enum class AccessStop : std::uint8_t { kNull, kCount };
@@ -105,10 +105,10 @@ struct AccessSpec {
   std::uint8_t protocol{1};
   bool active{false};
   std::uint32_t ro_spec_id{0};  ///< 0: all
-  AccessSpecStopTrigger stop;
-  AccessCommand command;
-  std::optional<AccessReportSpec> report;
-  std::vector<CustomParameter> customs;
+  AccessSpecStopTrigger stop{};
+  AccessCommand command{};
+  std::optional<AccessReportSpec> report{};
+  std::vector<CustomParameter> customs{};
   bool operator==(const AccessSpec&) const = default;
 };
 
@@ -126,7 +126,7 @@ struct C1G2ReadResult {
   static constexpr std::uint16_t kType = 349;
   ReadResult result{};
   std::uint16_t op{0};
-  std::vector<std::uint16_t> words;
+  std::vector<std::uint16_t> words{};
   bool operator==(const C1G2ReadResult&) const = default;
 };
 /// C1G2WriteOpSpecResult (350) and C1G2BlockWriteOpSpecResult (354).

@@ -11,7 +11,7 @@ namespace sensotwin::robot::llrp {
 /// 16.2.7.3.1).
 struct BitArray {
   std::uint16_t count{0};
-  Bytes bytes;  ///< (count + 7) / 8 of them
+  Bytes bytes{};  ///< (count + 7) / 8 of them
 
   [[nodiscard]] bool bit(std::size_t i) const { return ((bytes[i / 8] >> (7 - i % 8)) & 1) != 0; }
   bool operator==(const BitArray&) const = default;

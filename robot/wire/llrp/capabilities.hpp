@@ -33,7 +33,7 @@ struct GpioCapabilities {
 struct PerAntennaProtocols {
   static constexpr std::uint16_t kType = 140;
   std::uint16_t antenna{0};
-  std::vector<std::uint8_t> protocols;  ///< 1: EPCglobal Class 1 Gen 2
+  std::vector<std::uint8_t> protocols{};  ///< 1: EPCglobal Class 1 Gen 2
   bool operator==(const PerAntennaProtocols&) const = default;
 };
 struct GeneralCapabilities {
@@ -43,11 +43,11 @@ struct GeneralCapabilities {
   bool has_utc_clock{false};
   std::uint32_t manufacturer{0};
   std::uint32_t model{0};
-  std::string firmware;
-  std::vector<ReceiveSensitivity> sensitivities;
-  std::vector<PerAntennaSensitivity> per_antenna_sensitivities;
-  GpioCapabilities gpio;
-  std::vector<PerAntennaProtocols> protocols;
+  std::string firmware{};
+  std::vector<ReceiveSensitivity> sensitivities{};
+  std::vector<PerAntennaSensitivity> per_antenna_sensitivities{};
+  GpioCapabilities gpio{};
+  std::vector<PerAntennaProtocols> protocols{};
   bool operator==(const GeneralCapabilities&) const = default;
 };
 
@@ -77,19 +77,19 @@ struct TransmitPower {
 struct FrequencyHopTable {
   static constexpr std::uint16_t kType = 147;
   std::uint8_t id{0};
-  std::vector<std::uint32_t> frequencies_khz;  ///< in hopping order: ChannelIndex 1 is the first
+  std::vector<std::uint32_t> frequencies_khz{};  ///< in hopping order: ChannelIndex 1 is the first
   bool operator==(const FrequencyHopTable&) const = default;
 };
 struct FixedFrequencyTable {
   static constexpr std::uint16_t kType = 148;
-  std::vector<std::uint32_t> frequencies_khz;  ///< ChannelIndex 1 is the first
+  std::vector<std::uint32_t> frequencies_khz{};  ///< ChannelIndex 1 is the first
   bool operator==(const FixedFrequencyTable&) const = default;
 };
 struct FrequencyInformation {
   static constexpr std::uint16_t kType = 146;
   bool hopping{false};
-  std::vector<FrequencyHopTable> hop_tables;
-  std::optional<FixedFrequencyTable> fixed;
+  std::vector<FrequencyHopTable> hop_tables{};
+  std::optional<FixedFrequencyTable> fixed{};
   bool operator==(const FrequencyInformation&) const = default;
 };
 struct RfMode {
@@ -109,22 +109,22 @@ struct RfMode {
 };
 struct RfModeTable {
   static constexpr std::uint16_t kType = 328;
-  std::vector<RfMode> modes;
+  std::vector<RfMode> modes{};
   bool operator==(const RfModeTable&) const = default;
 };
 struct UhfBand {
   static constexpr std::uint16_t kType = 144;
-  std::vector<TransmitPower> powers;
-  FrequencyInformation frequencies;
-  std::vector<RfModeTable> mode_tables;
+  std::vector<TransmitPower> powers{};
+  FrequencyInformation frequencies{};
+  std::vector<RfModeTable> mode_tables{};
   bool operator==(const UhfBand&) const = default;
 };
 struct RegulatoryCapabilities {
   static constexpr std::uint16_t kType = 143;
   std::uint16_t country{0};                  ///< ISO 3166
   std::uint16_t communications_standard{0};  ///< 1: US FCC part 15
-  std::optional<UhfBand> uhf;
-  std::vector<CustomParameter> customs;
+  std::optional<UhfBand> uhf{};
+  std::vector<CustomParameter> customs{};
   bool operator==(const RegulatoryCapabilities&) const = default;
 };
 

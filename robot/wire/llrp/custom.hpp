@@ -15,7 +15,7 @@ struct CustomParameter {
   static constexpr std::uint16_t kType = 1023;
   std::uint32_t vendor{0};
   std::uint32_t subtype{0};
-  Bytes value;
+  Bytes value{};
   bool operator==(const CustomParameter&) const = default;
 };
 

@@ -31,7 +31,7 @@ struct EventState {
 };
 struct EventSpec {
   static constexpr std::uint16_t kType = 244;
-  std::vector<EventState> states;
+  std::vector<EventState> states{};
   bool operator==(const EventSpec&) const = default;
 };
 
@@ -71,14 +71,14 @@ struct BufferOverflowEvent {
 };
 struct ReaderExceptionEvent {
   static constexpr std::uint16_t kType = 252;
-  std::string message;
-  std::optional<std::uint32_t> ro_spec_id;
-  std::optional<std::uint16_t> spec_index;
-  std::optional<std::uint16_t> inventory_spec_id;
-  std::optional<std::uint16_t> antenna_id;
-  std::optional<std::uint32_t> access_spec_id;
-  std::optional<std::uint16_t> op_spec_id;
-  std::vector<CustomParameter> customs;
+  std::string message{};
+  std::optional<std::uint32_t> ro_spec_id{};
+  std::optional<std::uint16_t> spec_index{};
+  std::optional<std::uint16_t> inventory_spec_id{};
+  std::optional<std::uint16_t> antenna_id{};
+  std::optional<std::uint32_t> access_spec_id{};
+  std::optional<std::uint16_t> op_spec_id{};
+  std::vector<CustomParameter> customs{};
   bool operator==(const ReaderExceptionEvent&) const = default;
 };
 enum class AiSpecEventKind : std::uint8_t { kEnd };
@@ -87,7 +87,7 @@ struct AiSpecEvent {
   AiSpecEventKind kind{};
   std::uint32_t ro_spec_id{0};
   std::uint16_t spec_index{0};
-  std::optional<std::uint32_t> singulation;  ///< C1G2: collision slots << 16 | empty slots
+  std::optional<std::uint32_t> singulation{};  ///< C1G2: collision slots << 16 | empty slots
   bool operator==(const AiSpecEvent&) const = default;
 };
 enum class AntennaEventKind : std::uint8_t { kDisconnected, kConnected };
@@ -117,19 +117,19 @@ struct ConnectionCloseEvent {
 /// Of utc and uptime, one is there.
 struct ReaderEvent {
   static constexpr std::uint16_t kType = 246;
-  std::optional<UtcTimestamp> utc;
-  std::optional<Uptime> uptime;
-  std::optional<HoppingEvent> hopping;
-  std::optional<GpiEvent> gpi;
-  std::optional<RoSpecEvent> ro_spec;
-  std::optional<BufferWarningEvent> buffer_warning;
-  std::optional<BufferOverflowEvent> buffer_overflow;
-  std::optional<ReaderExceptionEvent> exception;
-  std::optional<AiSpecEvent> ai_spec;
-  std::optional<AntennaEvent> antenna;
-  std::optional<ConnectionAttemptEvent> connection_attempt;
-  std::optional<ConnectionCloseEvent> connection_close;
-  std::vector<CustomParameter> customs;
+  std::optional<UtcTimestamp> utc{};
+  std::optional<Uptime> uptime{};
+  std::optional<HoppingEvent> hopping{};
+  std::optional<GpiEvent> gpi{};
+  std::optional<RoSpecEvent> ro_spec{};
+  std::optional<BufferWarningEvent> buffer_warning{};
+  std::optional<BufferOverflowEvent> buffer_overflow{};
+  std::optional<ReaderExceptionEvent> exception{};
+  std::optional<AiSpecEvent> ai_spec{};
+  std::optional<AntennaEvent> antenna{};
+  std::optional<ConnectionAttemptEvent> connection_attempt{};
+  std::optional<ConnectionCloseEvent> connection_close{};
+  std::vector<CustomParameter> customs{};
   bool operator==(const ReaderEvent&) const = default;
 };
 

@@ -19,7 +19,7 @@ struct C1G2InventoryMask {
   static constexpr std::uint16_t kType = 332;
   MemoryBank bank{};
   std::uint16_t bit_pointer{0};
-  BitArray mask;
+  BitArray mask{};
   bool operator==(const C1G2InventoryMask&) const = default;
 };
 struct C1G2StateAwareFilterAction {
@@ -36,9 +36,9 @@ struct C1G2StateUnawareFilterAction {
 struct C1G2Filter {
   static constexpr std::uint16_t kType = 331;
   std::uint8_t truncate{0};  ///< 0 unspecified, 1 do not, 2 do
-  C1G2InventoryMask mask;
-  std::optional<C1G2StateAwareFilterAction> aware;
-  std::optional<C1G2StateUnawareFilterAction> unaware;
+  C1G2InventoryMask mask{};
+  std::optional<C1G2StateAwareFilterAction> aware{};
+  std::optional<C1G2StateUnawareFilterAction> unaware{};
   bool operator==(const C1G2Filter&) const = default;
 };
 struct C1G2RfControl {
@@ -58,17 +58,17 @@ struct C1G2SingulationControl {
   std::uint8_t session{0};  ///< 0 to 3
   std::uint16_t tag_population{0};
   std::uint32_t tag_transit_ms{0};
-  std::optional<C1G2StateAwareSingulation> state_aware;
+  std::optional<C1G2StateAwareSingulation> state_aware{};
   bool operator==(const C1G2SingulationControl&) const = default;
 };
 struct C1G2InventoryCommand {
   static constexpr std::uint16_t kType = 330;
   bool state_aware{false};
-  std::vector<C1G2Filter> filters;
-  std::optional<C1G2RfControl> rf_control;
-  std::optional<C1G2SingulationControl> singulation;
-  std::optional<ImpinjSearchMode> search_mode;
-  std::vector<CustomParameter> customs;
+  std::vector<C1G2Filter> filters{};
+  std::optional<C1G2RfControl> rf_control{};
+  std::optional<C1G2SingulationControl> singulation{};
+  std::optional<ImpinjSearchMode> search_mode{};
+  std::vector<CustomParameter> customs{};
   bool operator==(const C1G2InventoryCommand&) const = default;
 };
 
@@ -87,9 +87,9 @@ struct RfTransmitter {
 struct AntennaConfiguration {
   static constexpr std::uint16_t kType = 222;
   std::uint16_t antenna{0};  ///< 0: all
-  std::optional<RfReceiver> receiver;
-  std::optional<RfTransmitter> transmitter;
-  std::vector<C1G2InventoryCommand> inventory;
+  std::optional<RfReceiver> receiver{};
+  std::optional<RfTransmitter> transmitter{};
+  std::vector<C1G2InventoryCommand> inventory{};
   bool operator==(const AntennaConfiguration&) const = default;
 };
 
@@ -109,15 +109,15 @@ struct PeriodicTrigger {
   static constexpr std::uint16_t kType = 180;
   std::uint32_t offset_ms{0};
   std::uint32_t period_ms{0};
-  std::optional<UtcTimestamp> utc;
+  std::optional<UtcTimestamp> utc{};
   bool operator==(const PeriodicTrigger&) const = default;
 };
 enum class RoStart : std::uint8_t { kNull, kImmediate, kPeriodic, kGpi };
 struct RoSpecStartTrigger {
   static constexpr std::uint16_t kType = 179;
   RoStart kind{};
-  std::optional<PeriodicTrigger> periodic;
-  std::optional<GpiTrigger> gpi;
+  std::optional<PeriodicTrigger> periodic{};
+  std::optional<GpiTrigger> gpi{};
   bool operator==(const RoSpecStartTrigger&) const = default;
 };
 enum class RoStop : std::uint8_t { kNull, kDuration, kGpi };
@@ -125,13 +125,13 @@ struct RoSpecStopTrigger {
   static constexpr std::uint16_t kType = 182;
   RoStop kind{};
   std::uint32_t duration_ms{0};
-  std::optional<GpiTrigger> gpi;
+  std::optional<GpiTrigger> gpi{};
   bool operator==(const RoSpecStopTrigger&) const = default;
 };
 struct RoBoundary {
   static constexpr std::uint16_t kType = 178;
-  RoSpecStartTrigger start;
-  RoSpecStopTrigger stop;
+  RoSpecStartTrigger start{};
+  RoSpecStopTrigger stop{};
   bool operator==(const RoBoundary&) const = default;
 };
 
@@ -150,24 +150,24 @@ struct AiSpecStopTrigger {
   static constexpr std::uint16_t kType = 184;
   AiStop kind{};
   std::uint32_t duration_ms{0};
-  std::optional<GpiTrigger> gpi;
-  std::optional<TagObservationTrigger> tags;
+  std::optional<GpiTrigger> gpi{};
+  std::optional<TagObservationTrigger> tags{};
   bool operator==(const AiSpecStopTrigger&) const = default;
 };
 struct InventoryParameterSpec {
   static constexpr std::uint16_t kType = 186;
   std::uint16_t id{0};
   std::uint8_t protocol{1};  ///< 1: EPCglobal Class 1 Gen 2
-  std::vector<AntennaConfiguration> antennas;
-  std::vector<CustomParameter> customs;
+  std::vector<AntennaConfiguration> antennas{};
+  std::vector<CustomParameter> customs{};
   bool operator==(const InventoryParameterSpec&) const = default;
 };
 struct AiSpec {
   static constexpr std::uint16_t kType = 183;
-  std::vector<std::uint16_t> antennas;  ///< 0: all
-  AiSpecStopTrigger stop;
-  std::vector<InventoryParameterSpec> inventory;
-  std::vector<CustomParameter> customs;
+  std::vector<std::uint16_t> antennas{};  ///< 0: all
+  AiSpecStopTrigger stop{};
+  std::vector<InventoryParameterSpec> inventory{};
+  std::vector<CustomParameter> customs{};
   bool operator==(const AiSpec&) const = default;
 };
 
@@ -177,10 +177,10 @@ struct RoSpec {
   std::uint32_t id{0};
   std::uint8_t priority{0};
   RoSpecState state{};
-  RoBoundary boundary;
-  std::vector<AiSpec> ai_specs;
-  std::vector<CustomParameter> customs;
-  std::optional<RoReportSpec> report;
+  RoBoundary boundary{};
+  std::vector<AiSpec> ai_specs{};
+  std::vector<CustomParameter> customs{};
+  std::optional<RoReportSpec> report{};
   bool operator==(const RoSpec&) const = default;
 };
 

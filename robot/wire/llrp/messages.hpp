@@ -35,7 +35,7 @@ struct IdMessage {
 template <MessageType Type>
 struct StatusMessage {
   static constexpr MessageType kMessage = Type;
-  LlrpStatus status;
+  LlrpStatus status{};
   bool operator==(const StatusMessage&) const = default;
 };
 
@@ -43,17 +43,17 @@ enum class CapabilitiesWanted : std::uint8_t { kAll, kGeneral, kLlrp, kRegulator
 struct GetReaderCapabilities {
   static constexpr MessageType kMessage = MessageType::kGetReaderCapabilities;
   CapabilitiesWanted wanted{};
-  std::vector<CustomParameter> customs;
+  std::vector<CustomParameter> customs{};
   bool operator==(const GetReaderCapabilities&) const = default;
 };
 struct GetReaderCapabilitiesResponse {
   static constexpr MessageType kMessage = MessageType::kGetReaderCapabilitiesResponse;
-  LlrpStatus status;
-  std::optional<GeneralCapabilities> general;
-  std::optional<LlrpCapabilities> llrp;
-  std::optional<RegulatoryCapabilities> regulatory;
-  std::optional<C1G2Capabilities> c1g2;
-  std::vector<CustomParameter> customs;
+  LlrpStatus status{};
+  std::optional<GeneralCapabilities> general{};
+  std::optional<LlrpCapabilities> llrp{};
+  std::optional<RegulatoryCapabilities> regulatory{};
+  std::optional<C1G2Capabilities> c1g2{};
+  std::vector<CustomParameter> customs{};
   bool operator==(const GetReaderCapabilitiesResponse&) const = default;
 };
 
@@ -78,74 +78,74 @@ struct GetReaderConfig {
   ConfigWanted wanted{};
   std::uint16_t gpi_port{0};
   std::uint16_t gpo_port{0};
-  std::vector<CustomParameter> customs;
+  std::vector<CustomParameter> customs{};
   bool operator==(const GetReaderConfig&) const = default;
 };
 struct GetReaderConfigResponse {
   static constexpr MessageType kMessage = MessageType::kGetReaderConfigResponse;
-  LlrpStatus status;
-  std::optional<Identification> identification;
-  std::vector<AntennaProperties> antenna_properties;
-  std::vector<AntennaConfiguration> antennas;
-  std::optional<EventSpec> events;
-  std::optional<RoReportSpec> ro_report;
-  std::optional<AccessReportSpec> access_report;
-  std::optional<ConfigurationState> state;
-  std::optional<KeepaliveSpec> keepalive;
-  std::vector<GpiPortState> inputs;
-  std::vector<GpoWrite> outputs;
-  std::optional<EventsAndReports> events_and_reports;
-  std::vector<CustomParameter> customs;
+  LlrpStatus status{};
+  std::optional<Identification> identification{};
+  std::vector<AntennaProperties> antenna_properties{};
+  std::vector<AntennaConfiguration> antennas{};
+  std::optional<EventSpec> events{};
+  std::optional<RoReportSpec> ro_report{};
+  std::optional<AccessReportSpec> access_report{};
+  std::optional<ConfigurationState> state{};
+  std::optional<KeepaliveSpec> keepalive{};
+  std::vector<GpiPortState> inputs{};
+  std::vector<GpoWrite> outputs{};
+  std::optional<EventsAndReports> events_and_reports{};
+  std::vector<CustomParameter> customs{};
   bool operator==(const GetReaderConfigResponse&) const = default;
 };
 struct SetReaderConfig {
   static constexpr MessageType kMessage = MessageType::kSetReaderConfig;
   bool reset_to_factory{false};
-  std::optional<EventSpec> events;
-  std::vector<AntennaProperties> antenna_properties;
-  std::vector<AntennaConfiguration> antennas;
-  std::optional<RoReportSpec> ro_report;
-  std::optional<AccessReportSpec> access_report;
-  std::optional<KeepaliveSpec> keepalive;
-  std::vector<GpoWrite> outputs;
-  std::vector<GpiPortState> inputs;
-  std::optional<EventsAndReports> events_and_reports;
-  std::vector<CustomParameter> customs;
+  std::optional<EventSpec> events{};
+  std::vector<AntennaProperties> antenna_properties{};
+  std::vector<AntennaConfiguration> antennas{};
+  std::optional<RoReportSpec> ro_report{};
+  std::optional<AccessReportSpec> access_report{};
+  std::optional<KeepaliveSpec> keepalive{};
+  std::vector<GpoWrite> outputs{};
+  std::vector<GpiPortState> inputs{};
+  std::optional<EventsAndReports> events_and_reports{};
+  std::vector<CustomParameter> customs{};
   bool operator==(const SetReaderConfig&) const = default;
 };
 
 struct AddRoSpec {
   static constexpr MessageType kMessage = MessageType::kAddRoSpec;
-  RoSpec spec;
+  RoSpec spec{};
   bool operator==(const AddRoSpec&) const = default;
 };
 struct GetRoSpecsResponse {
   static constexpr MessageType kMessage = MessageType::kGetRoSpecsResponse;
-  LlrpStatus status;
-  std::vector<RoSpec> specs;
+  LlrpStatus status{};
+  std::vector<RoSpec> specs{};
   bool operator==(const GetRoSpecsResponse&) const = default;
 };
 struct AddAccessSpec {
   static constexpr MessageType kMessage = MessageType::kAddAccessSpec;
-  AccessSpec spec;
+  AccessSpec spec{};
   bool operator==(const AddAccessSpec&) const = default;
 };
 struct GetAccessSpecsResponse {
   static constexpr MessageType kMessage = MessageType::kGetAccessSpecsResponse;
-  LlrpStatus status;
-  std::vector<AccessSpec> specs;
+  LlrpStatus status{};
+  std::vector<AccessSpec> specs{};
   bool operator==(const GetAccessSpecsResponse&) const = default;
 };
 
 struct RoAccessReport {
   static constexpr MessageType kMessage = MessageType::kRoAccessReport;
-  std::vector<TagReport> tags;
-  std::vector<CustomParameter> customs;
+  std::vector<TagReport> tags{};
+  std::vector<CustomParameter> customs{};
   bool operator==(const RoAccessReport&) const = default;
 };
 struct ReaderEventNotification {
   static constexpr MessageType kMessage = MessageType::kReaderEventNotification;
-  ReaderEvent event;
+  ReaderEvent event{};
   bool operator==(const ReaderEventNotification&) const = default;
 };
 
@@ -158,7 +158,7 @@ struct ImpinjEnableExtensions {
 struct ImpinjEnableExtensionsResponse {
   static constexpr MessageType kMessage = MessageType::kCustomMessage;
   static constexpr std::uint8_t kSubtype = 22;
-  LlrpStatus status;
+  LlrpStatus status{};
   bool operator==(const ImpinjEnableExtensionsResponse&) const = default;
 };
 /// Any other custom message, kept as it came.
@@ -166,7 +166,7 @@ struct CustomMessage {
   static constexpr MessageType kMessage = MessageType::kCustomMessage;
   std::uint32_t vendor{0};
   std::uint8_t subtype{0};
-  Bytes payload;
+  Bytes payload{};
   bool operator==(const CustomMessage&) const = default;
 };
 

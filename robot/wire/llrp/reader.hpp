@@ -324,6 +324,7 @@ void Slots::take(T& v) {
   Reader& r = reader_;
   if (r.depth_ == Reader::kMaxDepth) {
     r.fail_about(Fault::kTooDeep, T::kType);
+    is_end_ = true;
     return;
   }
   const std::size_t outer_end = r.end_;

@@ -16,7 +16,7 @@ struct ConfigurationState {
 struct Identification {
   static constexpr std::uint16_t kType = 218;
   std::uint8_t kind{0};  ///< 0 MAC address (EUI-64), 1 EPC
-  Bytes id;
+  Bytes id{};
   bool operator==(const Identification&) const = default;
 };
 struct GpoWrite {

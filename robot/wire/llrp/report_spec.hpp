@@ -28,17 +28,17 @@ struct TagReportContent {
   bool last_seen{false};
   bool tag_seen_count{false};
   bool access_spec_id{false};
-  std::vector<C1G2EpcMemorySelector> memory;
+  std::vector<C1G2EpcMemorySelector> memory{};
   bool operator==(const TagReportContent&) const = default;
 };
 struct ImpinjReportContent {
   static constexpr std::uint16_t kType = 1023;
   static constexpr std::uint32_t kImpinjSubtype = 50;
-  std::optional<ImpinjEnableSerializedTid> serialized_tid;
-  std::optional<ImpinjEnablePhaseAngle> phase_angle;
-  std::optional<ImpinjEnablePeakRssi> peak_rssi;
-  std::optional<ImpinjEnableDoppler> doppler;
-  std::vector<CustomParameter> customs;
+  std::optional<ImpinjEnableSerializedTid> serialized_tid{};
+  std::optional<ImpinjEnablePhaseAngle> phase_angle{};
+  std::optional<ImpinjEnablePeakRssi> peak_rssi{};
+  std::optional<ImpinjEnableDoppler> doppler{};
+  std::vector<CustomParameter> customs{};
   bool operator==(const ImpinjReportContent&) const = default;
 };
 enum class RoReportTrigger : std::uint8_t {
@@ -50,9 +50,9 @@ struct RoReportSpec {
   static constexpr std::uint16_t kType = 237;
   RoReportTrigger trigger{};
   std::uint16_t tags{0};  ///< N; 0: no limit
-  TagReportContent content;
-  std::optional<ImpinjReportContent> impinj;
-  std::vector<CustomParameter> customs;
+  TagReportContent content{};
+  std::optional<ImpinjReportContent> impinj{};
+  std::vector<CustomParameter> customs{};
   bool operator==(const RoReportSpec&) const = default;
 };
 

@@ -49,8 +49,8 @@ struct ParameterError {
   static constexpr std::uint16_t kType = 289;
   std::uint16_t parameter{0};
   StatusCode code{};
-  std::optional<FieldError> field_error;
-  std::vector<ParameterError> inner;  ///< one at most
+  std::optional<FieldError> field_error{};
+  std::vector<ParameterError> inner{};  ///< one at most
   bool operator==(const ParameterError&) const = default;
 };
 
@@ -58,9 +58,9 @@ struct ParameterError {
 struct LlrpStatus {
   static constexpr std::uint16_t kType = 287;
   StatusCode code{StatusCode::kSuccess};
-  std::string description;  ///< UTF-8
-  std::optional<FieldError> field_error;
-  std::optional<ParameterError> parameter_error;
+  std::string description{};  ///< UTF-8
+  std::optional<FieldError> field_error{};
+  std::optional<ParameterError> parameter_error{};
   [[nodiscard]] bool ok() const { return code == StatusCode::kSuccess; }
   bool operator==(const LlrpStatus&) const = default;
 };

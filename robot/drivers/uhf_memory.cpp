@@ -34,15 +34,15 @@ namespace {
 
 }  // namespace
 
-std::optional<UhfMemoryResult> memory_result(const llrp::TagReport& report) {
+std::optional<UhfMemoryResult> memory_result(const llrp::TagReport& report, std::uint16_t op) {
   for (const llrp::C1G2OpResult& result : report.results) {
-    if (const auto* read = std::get_if<llrp::C1G2ReadResult>(&result)) {
+    if (const auto* read = std::get_if<llrp::C1G2ReadResult>(&result); read && read->op == op) {
       if (read->result == llrp::ReadResult::kSuccess) {
         return UhfMemoryAnswer{read->words, 0};
       }
       return Unexpected{error_of(read->result)};
     }
-    if (const auto* write = std::get_if<llrp::C1G2WriteResult>(&result)) {
+    if (const auto* write = std::get_if<llrp::C1G2WriteResult>(&result); write && write->op == op) {
       if (write->result == llrp::WriteResult::kSuccess) {
         return UhfMemoryAnswer{{}, write->words_written};
       }

@@ -31,7 +31,7 @@ enum class UhfMemoryError : std::uint8_t {
 
 using UhfMemoryResult = Result<UhfMemoryAnswer, UhfMemoryError>;
 
-/// The outcome that a report about the AccessSpec tells; nothing when it tells of no reading or writing.
-[[nodiscard]] std::optional<UhfMemoryResult> memory_result(const llrp::TagReport& report);
+/// The outcome of operation `op` that a report tells; nothing when it tells of none.
+[[nodiscard]] std::optional<UhfMemoryResult> memory_result(const llrp::TagReport& report, std::uint16_t op);
 
 }  // namespace sensotwin::robot

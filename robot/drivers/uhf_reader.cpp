@@ -136,8 +136,8 @@ void UhfReader::take(const llrp::RoAccessReport& report) {
     if (status_ != UhfReaderStatus::kReading || !ours) {
       ++health_.reads_unasked;
     } else if (!tag.results.empty()) {
-      const auto result = memory_result(tag);
-      if (result && memory_by_) {
+      const auto result = memory_result(tag, memory_op_);
+      if (result && memory_spec_) {
         finish_memory(*result);
       }
     } else {

@@ -144,14 +144,15 @@ class UhfReader {
   void refused(const llrp::LlrpStatus& status, Step step);
   [[nodiscard]] bool was_given(const ReadKey& key);
   void watch();
-  void begin_setup() { ask(Step::kCapabilities); }
+  void begin_setup();
   void ask(Step step);
   [[nodiscard]] llrp::Message request_of(Step step) const;
   void go_on_after(Step step);
   void fail(UhfReaderFault fault);
   bool send(const llrp::Message& message, std::uint32_t id);
 
-  [[nodiscard]] bool begin_memory(const Epc& epc, llrp::C1G2OpSpec operation);
+  [[nodiscard]] std::uint16_t next_memory_op() const { return static_cast<std::uint16_t>(memory_op_ + 1); }
+  [[nodiscard]] bool begin_memory(const Epc& epc, const llrp::C1G2OpSpec& operation);
   void memory_refused(Step step);
   void finish_memory(UhfMemoryResult result);
 
@@ -180,6 +181,7 @@ class UhfReader {
   std::size_t given_next_{0};
 
   std::optional<llrp::AccessSpec> memory_spec_;  ///< under way
+  std::uint16_t memory_op_{0};                   ///< its operation: tells a late answer from the one awaited
   std::optional<Instant> memory_by_;             ///< set while the tag is waited for
   std::optional<UhfMemoryResult> memory_result_;
 };

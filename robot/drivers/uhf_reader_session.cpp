@@ -45,6 +45,13 @@ llrp::Message UhfReader::request_of(Step step) const {
   }
 }
 
+void UhfReader::begin_setup() {
+  if (memory_spec_) {
+    finish_memory(Unexpected{UhfMemoryError::kConnectionLost});
+  }
+  ask(Step::kCapabilities);
+}
+
 void UhfReader::ask(Step step) {
   const llrp::Message request = request_of(step);
   if (step < Step::kMemoryAdd) {
@@ -113,7 +120,7 @@ void UhfReader::go_on_after(Step step) {
       memory_by_ = now_ + config_.memory_timeout;
       return;
     case Step::kMemoryDelete:
-      finish_memory(Unexpected{UhfMemoryError::kTagNotSeen});
+      memory_refused(step);
       return;
     case Step::kExtensions:
       extended_ = true;
@@ -125,17 +132,19 @@ void UhfReader::go_on_after(Step step) {
 }
 
 bool UhfReader::begin_memory_read(const Epc& epc, std::uint16_t word, std::uint16_t count) {
-  return begin_memory(epc, llrp::C1G2Read{1, 0, llrp::MemoryBank::kUser, word, count});
+  return begin_memory(epc, llrp::C1G2Read{next_memory_op(), 0, llrp::MemoryBank::kUser, word, count});
 }
 
 bool UhfReader::begin_memory_write(const Epc& epc, std::uint16_t word, std::vector<std::uint16_t> data) {
-  return begin_memory(epc, llrp::C1G2Write{1, 0, llrp::MemoryBank::kUser, word, std::move(data)});
+  return begin_memory(epc,
+                      llrp::C1G2Write{next_memory_op(), 0, llrp::MemoryBank::kUser, word, std::move(data)});
 }
 
-bool UhfReader::begin_memory(const Epc& epc, llrp::C1G2OpSpec operation) {
+bool UhfReader::begin_memory(const Epc& epc, const llrp::C1G2OpSpec& operation) {
   if (status_ != UhfReaderStatus::kReading || memory_spec_ || awaited_) {
     return false;
   }
+  memory_op_ = next_memory_op();
   memory_result_.reset();
   memory_spec_ = memory_spec(epc, operation);
   ask(Step::kMemoryAdd);
@@ -143,9 +152,11 @@ bool UhfReader::begin_memory(const Epc& epc, llrp::C1G2OpSpec operation) {
 }
 
 void UhfReader::memory_refused(Step step) {
-  // A refused DELETE: the AccessSpec has just been carried out and is gone, but its report was lost.
-  finish_memory(
-      Unexpected{step == Step::kMemoryDelete ? UhfMemoryError::kTagNotSeen : UhfMemoryError::kRefused});
+  // The result may have come while the DELETE was under way; that is refused then, as the AccessSpec is gone.
+  if (memory_spec_) {
+    finish_memory(
+        Unexpected{step == Step::kMemoryDelete ? UhfMemoryError::kTagNotSeen : UhfMemoryError::kRefused});
+  }
 }
 
 void UhfReader::finish_memory(UhfMemoryResult result) {

@@ -24,9 +24,9 @@ struct UhfReaderConfig {
   /// A reader without Impinj's extensions tells no phase. True: it is refused (kNoExtensions); false: its
   /// reads come with has_phase false.
   bool demand_impinj_extensions{true};
-  std::optional<std::uint16_t> transmit_power_index;  ///< row of the reader's table; none: its own default
-  std::optional<std::uint16_t> rf_mode;               ///< id of the reader's table; none: its own default
-  std::optional<std::uint16_t> search_mode;           ///< Impinj's; none: the reader's own
+  std::optional<std::uint16_t> transmit_power_index{};  ///< row of the reader's table; none: its own default
+  std::optional<std::uint16_t> rf_mode{};               ///< id of the reader's table; none: its own default
+  std::optional<std::uint16_t> search_mode{};           ///< Impinj's; none: the reader's own
   /// C1G2 session and expected tags: what sllurp sends, and so what the logs of the data study were made
   /// with (protocols study, 2.9).
   std::uint8_t session{2};

@@ -78,6 +78,9 @@ class RecordedUhfClients : public ::testing::Test {
 TEST_F(RecordedUhfClients, SllurpTakesInventoryWithoutARefusal) {
   expect_all_accepted("sllurp", "inventory", 30);
 }
+TEST_F(RecordedUhfClients, SllurpAddsAccessSpecsWithoutARefusal) {
+  expect_all_accepted("sllurp", "access", 15);
+}
 TEST_F(RecordedUhfClients, LlrpjsTakesInventoryWithoutARefusal) {
   expect_all_accepted("llrpjs", "inventory", 7);
 }

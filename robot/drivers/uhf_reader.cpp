@@ -154,7 +154,7 @@ void UhfReader::take(const llrp::TagReport& tag) {
     ++health_.reads_incomplete;
     return;
   }
-  if (was_given({*tag.epc_96, *tag.antenna_id, *tag.last_seen_utc_us})) {
+  if (was_given({*tag.last_seen_utc_us, *tag.antenna_id, *tag.epc_96})) {
     ++health_.reads_repeated;
     return;
   }

@@ -126,9 +126,9 @@ class UhfReader {
   };
   /// What one read cannot share with another.
   struct ReadKey {
-    Epc epc;
+    std::uint64_t utc_us{0};  ///< first: it tells most apart at once
     std::uint16_t antenna{0};
-    std::uint64_t utc_us{0};
+    Epc epc;
     bool operator==(const ReadKey&) const = default;
   };
 

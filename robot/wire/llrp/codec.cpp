@@ -77,7 +77,9 @@ Result<Message, DecodeError> decode(const Frame& frame) {
 }
 
 Bytes encode(const Message& message, std::uint32_t id, std::uint8_t version) {
+  constexpr std::size_t kMostMessages = 128;  // bytes: a report of one entry has about 100
   Bytes out;
+  out.reserve(kMostMessages);
   encode(message, id, out, version);
   return out;
 }

@@ -14,33 +14,12 @@ constexpr std::uint16_t kFirstTlvType = 128;
 }  // namespace
 
 std::optional<std::size_t> tv_size(std::uint16_t type) {
-  switch (type) {
-    case 6:
-      return 1;
-    case 1:
-    case 7:
-    case 8:
-    case 10:
-    case 11:
-    case 12:
-    case 14:
-    case 15:
-    case 17:
-      return 2;
-    case 9:
-    case 16:
-    case 18:
-      return 4;
-    case 2:
-    case 3:
-    case 4:
-    case 5:
-      return 8;
-    case 13:
-      return 12;
-    default:
-      return std::nullopt;
-  }
+  // By type, from 0: AntennaID, first and last seen (UTC, uptime), RSSI, channel, count, ROSpecID, inventory
+  // id, CRC, PC, EPC-96, spec index, client request, AccessSpecID, OpSpecID, singulation details.
+  static constexpr std::array<std::uint8_t, 19> kSizes{0, 2, 8, 8,  8, 8, 1, 2, 2, 4,
+                                                       2, 2, 2, 12, 2, 2, 4, 2, 4};
+  const std::size_t size = type < kSizes.size() ? kSizes[type] : 0u;
+  return size > 0 ? std::optional{size} : std::nullopt;
 }
 
 Knowledge knowledge_of(std::uint16_t tlv_type) {

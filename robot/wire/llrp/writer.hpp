@@ -31,9 +31,11 @@ class Writer {
     if constexpr (std::is_same_v<N, Epc>) {
       out_.insert(out_.end(), v.bytes.begin(), v.bytes.end());
     } else {
-      const auto raw = static_cast<std::uint64_t>(v);
-      for (std::size_t i = sizeof(N); i-- > 0;) {
-        out_.push_back(static_cast<std::uint8_t>(raw >> (8 * i)));
+      auto raw = static_cast<std::uint64_t>(v);
+      const std::size_t start = out_.size();
+      out_.resize(start + sizeof(N));
+      for (std::size_t i = sizeof(N); i-- > 0; raw >>= 8) {
+        out_[start + i] = static_cast<std::uint8_t>(raw);
       }
     }
   }

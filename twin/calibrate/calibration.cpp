@@ -176,14 +176,15 @@ bool find_table(Calibration& calibration, const CalibrationInput& input, const r
 
 }  // namespace
 
-std::optional<Calibration> calibrate(const CalibrationInput& input, const CalibrationSettings& settings,
+std::optional<Calibration> calibrate(CalibrationInput input, const CalibrationSettings& settings,
                                      const std::function<bool()>& go_on) {
   assert(input.distance_m.size() == input.logs.size());
   const robot::RandomStream random = robot::RandomStream{settings.seed}.fork("calibrate");
   Calibration calibration;
   calibration.settings = settings;
   std::vector<double> rssi_dbm;
-  for (const TagLog& log : input.logs) {
+  for (TagLog& log : input.logs) {
+    calibration.stale_channels += correct_stale_channels(log);
     calibration.logs.push_back(log.name);
     calibration.reads += log.rows.size();
     for (const LogRow& row : log.rows) {

@@ -53,6 +53,7 @@ struct Calibration {
   CalibrationSettings settings;
   std::vector<std::string> logs;
   std::size_t reads{0};
+  std::size_t stale_channels{0};  ///< rows of accumulating reports whose channel was set right
   std::vector<TagLink> links;
   NoiseFit noise;
   FlipFit flips;
@@ -79,7 +80,7 @@ struct Calibration {
 /// Fits everything. Deterministic in settings.seed; the order of logs matters to the last digits only.
 /// \param go_on  asked often; false ends the work. \returns nothing then
 /// \throws SceneError for a channel beyond the band
-[[nodiscard]] std::optional<Calibration> calibrate(const CalibrationInput& input,
+[[nodiscard]] std::optional<Calibration> calibrate(CalibrationInput input,
                                                    const CalibrationSettings& settings,
                                                    const std::function<bool()>& go_on);
 

@@ -15,7 +15,7 @@
 namespace sensotwin::twin {
 namespace {
 
-constexpr std::size_t kLinesShown = 5;  ///< chosen: as many as can be told apart
+constexpr std::size_t kLinesShown = 4;  ///< chosen: as many as the legend holds
 constexpr std::array kLineColors = {render::palette::kBlue, render::palette::kVermilion,
                                     render::palette::kGreen, render::palette::kOrange, render::palette::kInk};
 
@@ -104,8 +104,7 @@ void add_line(render::LineChart& chart, const Calibration& c, const LinkLine& li
   std::sort(measured.points.begin(), measured.points.end(),
             [](const render::ChartPoint& a, const render::ChartPoint& b) { return a.x < b.x; });
   const auto [low, high] = std::minmax_element(c.channels_hz.begin(), c.channels_hz.end());
-  chart.series.push_back({.name = fmt::format("{}, port {}: {:.1f} ns, coherence {:.3f}", c.logs[link.log],
-                                              link.antenna, 1e9 * line.line.delay_s, line.line.coherence),
+  chart.series.push_back({.name = fmt::format("port {}: {:.1f} ns", link.antenna, 1e9 * line.line.delay_s),
                           .color = color,
                           .points = {{*low / 1e6, line_rad(*low)}, {*high / 1e6, line_rad(*high)}},
                           .width_px = 2.0,

@@ -41,7 +41,7 @@ Json noise_of(const Calibration& c) {
     const TagLink& link = c.links[point.link];
     Json entry = {{"log", c.logs[link.log]},
                   {"antenna", link.antenna},
-                  {"pairs", link.pairs.size()},
+                  {"triples", link.bends_rad.size()},
                   {"rssi_dbm", point.rssi_dbm},
                   {"noise_rad", point.sigma_rad}};
     if (i < c.noise.left_out_ratio.size()) {
@@ -111,7 +111,11 @@ Json frequency_of(const Calibration& c) {
 }  // namespace
 
 std::string to_json(const Calibration& c) {
-  Json json = {{"logs", c.logs}, {"links", c.links.size()}, {"reads", c.reads}, {"seed", c.settings.seed}};
+  Json json = {{"logs", c.logs},
+               {"links", c.links.size()},
+               {"reads", c.reads},
+               {"stale_channels", c.stale_channels},
+               {"seed", c.settings.seed}};
   json["noise"] = noise_of(c);
   json["flips"] = {{"pairs", c.flips.pairs},
                    {"flips", c.flips.flips},

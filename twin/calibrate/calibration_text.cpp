@@ -18,7 +18,7 @@ std::string with_interval(const Estimate& e, double scale, int digits) {
 
 void put_noise(Line out, const Calibration& c) {
   const NoiseFit& noise = c.noise;
-  fmt::format_to(out, "Read noise, {} links with pairs of reads within a channel visit\n",
+  fmt::format_to(out, "Read noise, {} links with three reads in a row within a channel visit\n",
                  noise.points.size());
   const auto put = [&](const char* law, const std::optional<NoiseLawFit>& fit, std::string parameters) {
     if (fit) {
@@ -43,7 +43,7 @@ void put_noise(Line out, const Calibration& c) {
     fmt::format_to(out, "  measured / predicted by RSSI from the other links: {:.0f} % within 0.8 to 1.25\n",
                    100.0 * noise.left_out_share);
   } else {
-    fmt::format_to(out, "  too few pairs for a law\n");
+    fmt::format_to(out, "  too few for a law\n");
   }
   if (noise.by_rssi && !noise.proportional) {
     fmt::format_to(out, "  laws of distance want --distances\n");
@@ -144,6 +144,10 @@ std::string to_table(const Calibration& c) {
   const Line out(text);
   fmt::format_to(out, "{} logs, {} links of tag and antenna, {} reads; seed {}\n", c.logs.size(),
                  c.links.size(), c.reads, c.settings.seed);
+  if (c.stale_channels > 0) {
+    fmt::format_to(out, "Accumulating reports: {} rows had the channel of the visit before\n",
+                   c.stale_channels);
+  }
   put_noise(out, c);
   put_flips(out, c.flips);
   put_frequency(out, c);

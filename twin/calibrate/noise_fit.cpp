@@ -9,44 +9,42 @@
 namespace sensotwin::twin {
 namespace {
 
-/// Fewer pairs leave the noise of a link more than 10 % uncertain: 1 / sqrt(2 n). Chosen.
-constexpr std::size_t kPairsMin = 50;
-/// Steps beyond so many sigma are clipped away: people passing, the last read before a hop. Chosen.
+/// Fewer leave the noise of a link more than 10 % uncertain: 1 / sqrt(2 n). Chosen.
+constexpr std::size_t kBendsMin = 50;
+/// Bends beyond so many sigma are clipped away: people passing, the last read before a hop. Chosen.
 constexpr double kClip = 4.0;
 /// A law of two parameters wants more points than that. Chosen.
 constexpr std::size_t kPointsMin = 4;
 constexpr std::size_t kFlipsMin = 10;
+/// Where the middle of the flips' curve, and how wide it, can be told from reads at all. Chosen.
+constexpr double kFlipLow_dbm = -100.0;
+constexpr double kFlipHigh_dbm = -40.0;
+constexpr double kFlipWidest_db = 15.0;
 
-/// Root mean square of the folded steps of one read: of a step it is sqrt(2) times that.
+/// Noise of one read from the bends of three: a bend is sqrt(6) times that.
 double noise_of(const TagLink& link) {
-  double limit_rad = robot::kPi;
-  double sigma_rad = 0.0;
+  double limit_rad = 2.0 * robot::kPi;
+  double bend_sigma_rad = 0.0;
   for (int round = 0; round < 5; ++round) {
     double sum = 0.0;
     std::size_t count = 0;
-    for (const ReadPair& pair : link.pairs) {
-      const double step_rad = folded_rad(pair.step_rad);
-      if (std::abs(step_rad) <= limit_rad) {
-        sum += step_rad * step_rad;
+    for (const double bend_rad : link.bends_rad) {
+      if (std::abs(bend_rad) <= limit_rad) {
+        sum += bend_rad * bend_rad;
         ++count;
       }
     }
-    const double step_sigma_rad = std::sqrt(sum / static_cast<double>(std::max<std::size_t>(1, count)));
-    sigma_rad = step_sigma_rad / std::sqrt(2.0);
-    limit_rad = kClip * step_sigma_rad;
+    bend_sigma_rad = std::sqrt(sum / static_cast<double>(std::max<std::size_t>(1, count)));
+    limit_rad = kClip * bend_sigma_rad;
   }
-  return sigma_rad;
+  return bend_sigma_rad / std::sqrt(6.0);
 }
 
 /// Predicted noise of a point under parameters of a law.
 using Law = std::function<double(const Eigen::VectorXd&, const NoisePoint&)>;
 
 double rssi_law(const Eigen::VectorXd& p, const NoisePoint& point) {
-  double square = 0.0;
-  for (const auto& [rssi_dbm, share] : point.rssi_share) {
-    square += share * std::pow(noise_by_rssi_rad(std::exp(p(0)), std::exp(p(1)), rssi_dbm), 2);
-  }
-  return std::sqrt(square);
+  return noise_by_rssi_rad(std::exp(p(0)), std::exp(p(1)), point.rssi_dbm);
 }
 double proportional_law(const Eigen::VectorXd& p, const NoisePoint& point) {
   return std::exp(p(0)) * *point.distance_m;
@@ -109,17 +107,13 @@ std::vector<NoisePoint> points_of(std::span<const TagLink> links,
   std::vector<NoisePoint> points;
   for (std::size_t l = 0; l < links.size(); ++l) {
     const TagLink& link = links[l];
-    const double sigma_rad = link.pairs.size() < kPairsMin ? 0.0 : noise_of(link);
-    if (sigma_rad <= 0.0) {
-      continue;
+    const double sigma_rad = link.bends_rad.size() < kBendsMin ? 0.0 : noise_of(link);
+    if (sigma_rad > 0.0) {
+      points.push_back({.link = l,
+                        .sigma_rad = sigma_rad,
+                        .rssi_dbm = link.bends_rssi_dbm,
+                        .distance_m = distance_m[link.log]});
     }
-    NoisePoint point{.link = l, .sigma_rad = sigma_rad, .rssi_share = {}, .distance_m = distance_m[link.log]};
-    const double share = 1.0 / static_cast<double>(link.pairs.size());
-    for (const ReadPair& pair : link.pairs) {
-      point.rssi_dbm += share * pair.rssi_dbm;
-      point.rssi_share[std::round(pair.rssi_dbm)] += share;
-    }
-    points.push_back(std::move(point));
   }
   return points;
 }
@@ -148,7 +142,9 @@ std::optional<Eigen::VectorXd> fitted_flips(const std::map<double, FlipFit::Bin>
         }
       });
   p(1) = std::exp(p(1));
-  return p;
+  // Flips that do not depend on RSSI (wrong channels, data study, 3.7) have no such curve.
+  const bool sane = p(0) > kFlipLow_dbm && p(0) < kFlipHigh_dbm && p(1) < kFlipWidest_db;
+  return sane ? std::optional<Eigen::VectorXd>(p) : std::nullopt;
 }
 
 }  // namespace
@@ -229,7 +225,7 @@ std::optional<DopplerFit> fit_doppler(std::span<const TagLink> links, int resamp
                                       const robot::RandomStream& random) {
   std::vector<const TagLink*> heard;
   for (const TagLink& link : links) {
-    if (link.reads >= kPairsMin && link.doppler_sigma_hz > 0.0) {
+    if (link.reads >= kBendsMin && link.doppler_sigma_hz > 0.0) {
       heard.push_back(&link);
     }
   }

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <map>
 #include <optional>
 #include <span>
 #include <vector>
@@ -11,12 +10,12 @@
 
 namespace sensotwin::twin {
 
-/// Read noise of one link: successive reads of one channel visit, folded modulo pi (data study, 3.5, part 1).
+/// Read noise of one link: three successive reads of one channel visit, folded modulo pi (data study, 3.5,
+/// part 1). Two reads would do for a tag screwed to the wall; on a stick, its sway is as large as the noise.
 struct NoisePoint {
   std::size_t link{0};  ///< in the links it was made of
   double sigma_rad{0.0};
-  double rssi_dbm{0.0};                 ///< mean of its pairs
-  std::map<double, double> rssi_share;  ///< how its pairs spread over RSSI: share by dBm
+  double rssi_dbm{0.0};  ///< mean of these reads
   std::optional<double> distance_m;
 };
 

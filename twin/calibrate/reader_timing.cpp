@@ -33,7 +33,9 @@ int next_port(const std::vector<int>& ports, int port) {
   return at == ports.end() ? ports.front() : *at;
 }
 
-void add_neighbours(const LogRow& before, const LogRow& row, const std::vector<int>& ports, Gaps& gaps) {
+/// \param in_turn reads up to this one that followed the order of ports: a whole cycle has no missed port
+void add_neighbours(const LogRow& before, const LogRow& row, const std::vector<int>& ports, int in_turn,
+                    Gaps& gaps) {
   const double gap_s = row.time_s - before.time_s;
   const bool same_channel = before.channel == row.channel;
   if (before.antenna == row.antenna && before.epc != row.epc) {
@@ -42,7 +44,7 @@ void add_neighbours(const LogRow& before, const LogRow& row, const std::vector<i
     }
     return;
   }
-  if (row.antenna == next_port(ports, before.antenna) && same_channel) {
+  if (in_turn >= static_cast<int>(ports.size()) && same_channel) {
     gaps.slots_s[before.antenna].push_back(gap_s);
   }
   if (ports.size() == 1) {
@@ -70,6 +72,7 @@ void add_log(const TagLog& log, const std::vector<int>& ports, Gaps& gaps) {
   std::map<std::pair<int, int>, double> last_s;
   double visit_s = rows.front().time_s;
   bool whole_visit = false;
+  int in_turn = 0;
   for (std::size_t i = 0; i < rows.size(); ++i) {
     const LogRow& row = rows[i];
     ++gaps.reads[row.antenna];
@@ -81,7 +84,8 @@ void add_log(const TagLog& log, const std::vector<int>& ports, Gaps& gaps) {
     if (i == 0) {
       continue;
     }
-    add_neighbours(rows[i - 1], row, ports, gaps);
+    in_turn = row.antenna == next_port(ports, rows[i - 1].antenna) ? in_turn + 1 : 0;
+    add_neighbours(rows[i - 1], row, ports, in_turn, gaps);
     if (row.channel != rows[i - 1].channel) {
       const bool next = row.channel == rows[i - 1].channel + 1;
       if (next && whole_visit && row.time_s - visit_s < kVisit_s) {

@@ -25,8 +25,11 @@ struct TagLink {
   std::size_t reads{0};
   double rssi_dbm{0.0};  ///< mean
   std::vector<ReadPair> pairs;
-  std::map<int, std::complex<double>>
-      channels;  ///< mean of exp(i phase) by ChannelIndex, three reads or more
+  /// Steps of successive pairs, folded, one less the other: noise without what drifts (data study, 3.5: part
+  /// 1 without part 2). Of white noise sqrt(6) times as large.
+  std::vector<double> bends_rad;
+  double bends_rssi_dbm{0.0};                    ///< mean over them
+  std::map<int, std::complex<double>> channels;  ///< mean of exp(i phase) by ChannelIndex
   double doppler_mean_hz{0.0};
   double doppler_sigma_hz{0.0};
 };
@@ -34,6 +37,11 @@ struct TagLink {
 /// Reads farther apart than this make no pair: what lies between is drift, no read noise. Chosen: three slots
 /// of a reader with one antenna (data study, 3.8: 14 ms).
 inline constexpr double kPairMax_s = 0.05;
+
+/// Gives rows of accumulating reports that carry the channel of the visit before (data study, 3.9) the
+/// channel that rows of earlier time show already. Logs whose rows stand in order of time are left alone.
+/// \returns how many rows were changed
+[[nodiscard]] std::size_t correct_stale_channels(TagLog& log);
 
 /// All links of the logs, in the order of logs, antennas, tags.
 [[nodiscard]] std::vector<TagLink> links_of(std::span<const TagLog> logs);

@@ -177,9 +177,12 @@ NoiseFit fit_noise(std::span<const TagLink> links, std::span<const std::optional
     others.erase(others.begin() + static_cast<std::ptrdiff_t>(i));
     if (const auto p = fitted(rssi_law, kRssiStart, others)) {
       fit.left_out_ratio.push_back(all[i]->sigma_rad / rssi_law(*p, *all[i]));
-      const bool near = fit.left_out_ratio.back() >= 0.8 && fit.left_out_ratio.back() <= 1.25;
-      fit.left_out_share += near ? 1.0 / static_cast<double>(all.size()) : 0.0;
     }
+  }
+  const auto near = std::count_if(fit.left_out_ratio.begin(), fit.left_out_ratio.end(),
+                                  [](double ratio) { return ratio >= 0.8 && ratio <= 1.25; });
+  if (near > 0) {
+    fit.left_out_share = static_cast<double>(near) / static_cast<double>(fit.left_out_ratio.size());
   }
   return fit;
 }

@@ -34,7 +34,7 @@ void TagLogWriter::add(const TagLogRow& row) {
   to = put_text(to, ",twin,");
   to = std::to_chars(to, to + 6, row.antenna).ptr;
   *to++ = ',';
-  to = put_whole(to, row.rssi_dbm);
+  to = put_whole(to, std::trunc(row.rssi_dbm));
   to = put_text(to, ",b'");
   for (const std::uint8_t byte : row.epc.bytes) {
     *to++ = kDigits[byte >> 4];

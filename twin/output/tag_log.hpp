@@ -23,9 +23,10 @@ struct TagLogRow {
 ///
 ///     timestamp,reader,antenna,rssi,epc,phase_angle,channel_index,doppler_frequency
 ///
-/// Seconds with microseconds; RSSI in whole dBm; phase in 4096ths of a turn and Doppler in sixteenths of a
-/// hertz, as Impinj's parameters 56 and 68 carry them; EPC as the text of Python bytes. `twin calibrate`
-/// reads it back.
+/// Seconds with microseconds; RSSI in whole dBm, cut as real
+/// readers cut it (protocols study, 2.6: -68.5 becomes -68); phase in 4096ths of a turn and Doppler in
+/// sixteenths of a hertz, as Impinj's parameters 56 and 68 carry them; EPC as the text of Python bytes. `twin
+/// calibrate` reads it back.
 class TagLogWriter {
  public:
   /// \param file not yet written to

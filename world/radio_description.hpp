@@ -67,6 +67,8 @@ struct RadioDescription {
   bool simultaneous{true};
   double rate_hz{20.0};  ///< algorithms study, A.0
   std::vector<double> slots_s{};
+  /// Slot of an antenna that hears no tag; 0: the same as with one.
+  double silent_slot_s{0.0};
   double per_tag_s{0.0007};  ///< further tags in one round (3.8)
   NoiseLaw noise_law{NoiseLaw::kProportional};
   double noise_floor_rad{0.0};

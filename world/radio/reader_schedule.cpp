@@ -14,6 +14,7 @@ ReaderSchedule::ReaderSchedule(const RadioDescription& radio, std::size_t antenn
       dwell_s_(radio.dwell_s),
       dead_s_(radio.hop_dead_s),
       per_tag_s_(radio.per_tag_s),
+      silent_slot_s_(radio.silent_slot_s),
       slots_s_(radio.slots_s),
       antennas_(antennas),
       channels_(static_cast<std::uint16_t>(radio.channels_hz.size())),
@@ -36,8 +37,9 @@ void ReaderSchedule::finish(std::size_t answers) {
     ++beats_;
     begin_s_ = start_s_ + static_cast<double>(beats_) * period_s_;
   } else {
-    begin_s_ += slots_s_[antennas_[turn_]] +
-                per_tag_s_ * static_cast<double>(answers - std::min<std::size_t>(1, answers));
+    const bool silent = answers == 0 && silent_slot_s_ > 0.0;
+    begin_s_ += silent ? silent_slot_s_ : slots_s_[antennas_[turn_]];
+    begin_s_ += per_tag_s_ * static_cast<double>(answers - std::min<std::size_t>(1, answers));
     turn_ = (turn_ + 1) % antennas_.size();
   }
   hop_if_due();

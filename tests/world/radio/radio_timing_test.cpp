@@ -55,6 +55,20 @@ TEST(RadioTiming, GoesRoundFourAntennasWithTheMeasuredSlots) {
   EXPECT_NEAR(share[3], 0.25, 0.01);
 }
 
+TEST(RadioTiming, IsHeldUpByAnAntennaThatHearsNothing) {
+  RadioWorld world = one_tag(3);
+  multiplex(world, {0.029, 0.029, 0.014});
+  world.antennas[1].boresight = {0.0, 0.0, -1.0};
+  world.radio.cutoff_dbm = -75.0;
+  world.radio.silent_slot_s = 0.042;
+  const auto reads = reads_at_rest(world, 1.0);
+  for (std::size_t i = 1; i < reads.size(); ++i) {
+    EXPECT_EQ(reads[i].antenna, reads[i - 1].antenna == 0 ? 2 : 0);
+    EXPECT_NEAR(reads[i].time_s - reads[i - 1].time_s, reads[i].antenna == 2 ? 0.029 + 0.042 : 0.014, 1e-9);
+  }
+  EXPECT_EQ(reads.size(), 23U) << "cycles of 85 ms: twelve begun, eleven whole";
+}
+
 // Data study, 3.8: one read each 14.02 ms, dwell 203.35 ms (10 to 90 %: 195 to 214), 10.2 s for 50 channels.
 TEST(RadioTiming, HopsThroughItsTableInOrderAfterTheRoundAtHand) {
   RadioWorld world = one_tag(1);

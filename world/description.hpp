@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "robot/base/geometry.hpp"
+#include "world/radio_description.hpp"
 
 /// What there is: plain values, in the order of the scene file. twin/scene fills them, world/ obeys them.
 /// Each number's default lives here and nowhere else, with its source.
@@ -132,9 +133,10 @@ struct WorldDescription {
   std::vector<VirtualWall> virtual_walls;
   std::optional<HomeBase> home_base;
   std::vector<CompassDistortion> compass_distortions;
-  double ceiling_m{3.0};  ///< for the picture and, later, the ceiling tags
+  double ceiling_m{3.0};  ///< for the picture; each ceiling tag has a height of its own
   /// Direction of magnetic north as a yaw in W. pi/2: north is +y, as on a plan.
   double north_yaw_rad{1.5707963267948966};
+  std::optional<RadioWorld> radio;  ///< ceiling tags and who hears them; the floor tags below are TagField's
 };
 
 enum class RoombaKind : std::uint8_t { kCreate2, kRoomba400 };

@@ -67,6 +67,10 @@ TagField::TagField(const WorldDescription& world, const robot::RandomStream& ran
   add_carpet(world.carpet, random);
   add_landmarks(world.landmarks, random);
   add_furniture(world.furniture, random);
+  loose_begin_ = tags_.size();
+  if (world.radio) {
+    add_floor_tags(world.radio->tags, random);
+  }
 }
 
 void TagField::add(Tag tag, robot::RandomStream& random) {
@@ -137,6 +141,22 @@ void TagField::add_furniture(const std::vector<Furniture>& furniture, const robo
   }
 }
 
+void TagField::add_floor_tags(const std::vector<CeilingTag>& ceiling, const robot::RandomStream& random) {
+  for (std::uint32_t i = 0; i < ceiling.size(); ++i) {
+    if (!ceiling[i].floor_tag) {
+      continue;
+    }
+    const std::string name = ceiling[i].name.empty() ? std::to_string(i) : ceiling[i].name;
+    robot::RandomStream own = random.fork("floor tag").fork(name);
+    Tag tag{.place = TagPlace::kFloor, .owner = i, .at_m = ceiling[i].at_m};
+    const auto& epc = ceiling[i].epc.bytes;
+    for (std::size_t b = 0; b < epc.size(); ++b) {
+      tag.memory.blocks[b / tag.memory.blocks[0].size()][b % tag.memory.blocks[0].size()] = epc[b];
+    }
+    add(std::move(tag), own);
+  }
+}
+
 std::optional<TagIndex> TagField::of_tile(int column, int row) const {
   const int c = column - column0_;
   const int r = row - row0_;
@@ -179,19 +199,28 @@ std::optional<TagIndex> TagField::carpet_tag(const Vec2& antenna_m, double read_
 }
 
 std::optional<TagIndex> TagField::standing_tag(const Vec2& antenna_m, double read_radius_m) const {
-  if (standing_quiet_.holds(antenna_m, read_radius_m)) {
+  return nearest_of(carpet_count_, loose_begin_, antenna_m, read_radius_m, standing_quiet_);
+}
+
+std::optional<TagIndex> TagField::loose_tag(const Vec2& antenna_m, double read_radius_m) const {
+  return nearest_of(loose_begin_, tags_.size(), antenna_m, read_radius_m, loose_quiet_);
+}
+
+std::optional<TagIndex> TagField::nearest_of(std::size_t begin, std::size_t end, const Vec2& antenna_m,
+                                             double read_radius_m, Quiet& quiet) const {
+  if (quiet.holds(antenna_m, read_radius_m)) {
     return std::nullopt;
   }
   double nearest_m2 = std::numeric_limits<double>::infinity();
-  std::size_t nearest = tags_.size();
-  for (std::size_t i = carpet_count_; i < tags_.size(); ++i) {
+  std::size_t nearest = end;
+  for (std::size_t i = begin; i < end; ++i) {
     const double d_m2 = (tags_[i].at_m - antenna_m).squaredNorm();
     if (d_m2 <= nearest_m2) {
       nearest_m2 = d_m2;
       nearest = i;
     }
   }
-  standing_quiet_ = {antenna_m, std::sqrt(nearest_m2) - kRounding_m};
+  quiet = {antenna_m, std::sqrt(nearest_m2) - kRounding_m};
   return nearest_m2 <= read_radius_m * read_radius_m ? std::optional{static_cast<TagIndex>(nearest)}
                                                      : std::nullopt;
 }

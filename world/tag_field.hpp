@@ -12,17 +12,17 @@
 
 namespace sensotwin::world {
 
-enum class TagPlace : std::uint8_t { kCarpet, kLandmark, kFurniture };
+enum class TagPlace : std::uint8_t { kCarpet, kLandmark, kFurniture, kFloor };
 
 /// Position of a tag in TagField::tags(): carpet tiles in the order of the scene, then landmarks, then
-/// furniture. Never changes during a run.
+/// furniture, then floor tags below ceiling tags. Never changes during a run.
 using TagIndex = std::uint32_t;
 
 struct Tag {
   TagPlace place{TagPlace::kCarpet};
   int column{0};  ///< carpet: its tile
   int row{0};
-  std::uint32_t owner{0};  ///< landmark or furniture: index in the WorldDescription
+  std::uint32_t owner{0};  ///< landmark, furniture, ceiling tag above: index in the WorldDescription
   Vec2 p_OT_m{0.0, 0.0};   ///< furniture: in the piece's own frame
   Vec2 at_m{0.0, 0.0};     ///< in W, now
   bool readable{true};     ///< a dead tag never answers
@@ -36,7 +36,8 @@ struct Tag {
 ///
 /// Serial numbers and offsets come from streams forked by the tag's own name (tile, landmark, piece), so that
 /// adding one tag changes no other. Landmarks hold SensoBot's Table 1 in block 0, furniture FF there and
-/// Table 2 in block 1; carpet tags are blank.
+/// Table 2 in block 1; carpet tags are blank. A floor tag below a ceiling tag holds that one's EPC in blocks
+/// 0 to 2: the arrival test of Gueaieb & Miah, section III.
 class TagField {
  public:
   TagField(const WorldDescription& world, const robot::RandomStream& random);
@@ -49,6 +50,8 @@ class TagField {
   [[nodiscard]] std::optional<TagIndex> carpet_tag(const Vec2& antenna_m, double read_radius_m) const;
   /// Landmark or furniture tag that answers an antenna at `antenna_m` (in W).
   [[nodiscard]] std::optional<TagIndex> standing_tag(const Vec2& antenna_m, double read_radius_m) const;
+  /// Floor tag below a ceiling tag that answers an antenna at `antenna_m` (in W).
+  [[nodiscard]] std::optional<TagIndex> loose_tag(const Vec2& antenna_m, double read_radius_m) const;
   /// Carries a piece's tags along.
   void move_furniture(std::uint32_t owner, const Pose2& X_WF);
 
@@ -56,10 +59,12 @@ class TagField {
   void add_carpet(const Carpet& carpet, const robot::RandomStream& random);
   void add_landmarks(const std::vector<Landmark>& landmarks, const robot::RandomStream& random);
   void add_furniture(const std::vector<Furniture>& furniture, const robot::RandomStream& random);
+  void add_floor_tags(const std::vector<CeilingTag>& ceiling, const robot::RandomStream& random);
   void add(Tag tag, robot::RandomStream& random);
 
   std::vector<Tag> tags_;
   std::size_t carpet_count_{0};
+  std::size_t loose_begin_{0};
   double tile_m_;
   Vec2 origin_m_;
   double stray_m_{0.0};  ///< farthest any carpet tag sits from the middle of its tile
@@ -79,6 +84,10 @@ class TagField {
   };
   mutable Quiet carpet_quiet_;
   mutable Quiet standing_quiet_;
+  mutable Quiet loose_quiet_;
+  /// Of the tags from `begin` to `end` the one that answers, and how long none will.
+  [[nodiscard]] std::optional<TagIndex> nearest_of(std::size_t begin, std::size_t end, const Vec2& antenna_m,
+                                                   double read_radius_m, Quiet& quiet) const;
   std::vector<std::int32_t> grid_;  ///< TagIndex of each cell of the tiles' bounding box, -1 where no tile is
 };
 

@@ -81,6 +81,7 @@ struct World::State {
   BodySensors sensors;
   Battery battery;
   TagField tags;
+  double floor_tag_radius_m;
   CompassField compass;
   ContactCounts contacts;
   BumpSwitches bumped;
@@ -134,6 +135,7 @@ World::State::State(const WorldDescription& world, const RobotDescription& robot
       sensors(world, robot.base),
       battery(robot.base),
       tags(world, random.fork("tags")),
+      floor_tag_radius_m(world.radio ? world.radio->floor_tag_radius_m : 0.0),
       compass(world, robot.compass, random.fork("compass")) {
   assert(steps_per_tick > 0);
   [[maybe_unused]] const bool stands = box2d_clock_stands();
@@ -305,7 +307,14 @@ TagMemory& World::tag_memory(TagIndex tag) {
 }
 std::optional<TagIndex> World::floor_tag() const {
   const ReaderDescription& reader = state_->robot.floor_reader;
-  return state_->tags.carpet_tag(state_->in_W(reader.at_m), reader.read_radius_m);
+  const Vec2 antenna_m = state_->in_W(reader.at_m);
+  const auto carpet = state_->tags.carpet_tag(antenna_m, reader.read_radius_m);
+  const auto loose = state_->tags.loose_tag(antenna_m, state_->floor_tag_radius_m);
+  if (!carpet || !loose) {
+    return carpet ? carpet : loose;
+  }
+  const auto distance_m = [&](TagIndex tag) { return (tags()[tag].at_m - antenna_m).norm(); };
+  return distance_m(*loose) <= distance_m(*carpet) ? loose : carpet;
 }
 std::optional<TagIndex> World::forward_tag() const {
   const ReaderDescription& reader = state_->robot.forward_reader;

@@ -84,6 +84,52 @@ TEST(TagField, WritesSensoBotsTablesIntoLandmarksAndFurniture) {
   EXPECT_NEAR((field.tags()[1].at_m - Vec2{3.0, 0.4}).norm(), 0.0, 1e-12);
 }
 
+WorldDescription below_ceiling_tags() {
+  WorldDescription world = even_floor();
+  world.radio.emplace();
+  world.radio->tags.push_back({.name = "a", .at_m = {1.0, 0.0}});
+  world.radio->tags.push_back({.name = "b", .at_m = {2.0, 0.0}, .floor_tag = false});
+  world.radio->tags.push_back({.name = "c", .at_m = {3.0, 0.0}, .present = false});
+  for (std::uint8_t i = 0; i < 12; ++i) {
+    world.radio->tags[0].epc.bytes[i] = static_cast<std::uint8_t>(0x30 + i);
+  }
+  return world;
+}
+
+// Gueaieb & Miah, section III: a short-range tag on the floor says that the robot is below the ceiling tag.
+TEST(TagField, LaysFloorTagsThatNameTheCeilingTagAbove) {
+  const TagField field(below_ceiling_tags(), robot::RandomStream{1});
+  ASSERT_EQ(field.tags().size(), 2U) << "one has none; one fell off the ceiling, and its floor tag stays";
+  EXPECT_EQ(field.tags()[0].place, TagPlace::kFloor);
+  EXPECT_EQ(field.tags()[1].owner, 2U);
+  EXPECT_EQ(field.tags()[0].memory.blocks[0], (TagMemory::Block{0x30, 0x31, 0x32, 0x33}));
+  EXPECT_EQ(field.tags()[0].memory.blocks[2], (TagMemory::Block{0x38, 0x39, 0x3A, 0x3B}));
+  EXPECT_EQ(field.loose_tag({1.049, 0.0}, 0.05), TagIndex{0});
+  EXPECT_FALSE(field.loose_tag({1.051, 0.0}, 0.05));
+  EXPECT_FALSE(field.standing_tag({1.0, 0.0}, 0.05)) << "the forward antenna does not see the floor";
+}
+
+TEST(TagField, NumbersFloorTagsWhateverElseIsLaid) {
+  WorldDescription world = below_ceiling_tags();
+  const TagField few(world, robot::RandomStream{9});
+  world.carpet.tiles.emplace_back(0, 0);
+  world.radio->tags.insert(world.radio->tags.begin(), {.name = "z", .at_m = {9.0, 9.0}});
+  const TagField more(world, robot::RandomStream{9});
+  EXPECT_EQ(few.tags()[0].memory.uid, more.tags()[2].memory.uid);
+  EXPECT_NE(few.tags()[0].memory.uid, few.tags()[1].memory.uid);
+}
+
+TEST(World, ReadsTheNearerOfCarpetTagAndFloorTag) {
+  WorldDescription description = below_ceiling_tags();
+  description.carpet.tag_offset_sigma_m = 0.0;
+  description.carpet.origin_m = {1.02 - 0.254, -0.254};
+  description.carpet.tiles.emplace_back(0, 0);
+  World near_floor_tag = make(description, exact_robot({{0.99, 0.0}, 0.0}));
+  EXPECT_EQ(near_floor_tag.floor_tag(), TagIndex{1});
+  World near_carpet_tag = make(description, exact_robot({{1.03, 0.0}, 0.0}));
+  EXPECT_EQ(near_carpet_tag.floor_tag(), TagIndex{0});
+}
+
 TEST(World, ReadsTheTagUnderTheRobotAndTheOneInFrontOfIt) {
   WorldDescription description = carpet_of(3, 1);
   description.landmarks.push_back({.kind = LandmarkKind::kPowerOutlet, .at_m = {0.49, 0.25}});

@@ -85,6 +85,21 @@ struct EpsilonOptions {
 };
 [[nodiscard]] Command make_epsilon_command(Deed<EpsilonOptions> deed);
 
+struct CalibrateOptions {
+  std::vector<std::filesystem::path> logs{};
+  std::optional<std::filesystem::path> distances{};
+  std::optional<std::filesystem::path> hop_table{};
+  std::string band{"902.75:0.5:50"};  ///< FCC (47 CFR 15.247)
+  std::string phase{"falls"};         ///< falls, rises: with distance (data study, 3.2: R420)
+  int starts{200};                    ///< chosen: real logs need some ten (docs/calibrate.md)
+  int resamples{200};                 ///< chosen: the ends of an interval to a tenth of its width
+  std::uint64_t seed{1};
+  std::optional<std::filesystem::path> out{};    ///< YAML profile
+  std::optional<std::filesystem::path> chart{};  ///< PNG
+  bool force{false};
+};
+[[nodiscard]] Command make_calibrate_command(Deed<CalibrateOptions> deed);
+
 struct ChartOptions {
   std::vector<std::filesystem::path> runs{};   ///< folders of runs
   std::optional<std::filesystem::path> out{};  ///< none: tags_over_time.png in the working directory

@@ -12,6 +12,7 @@ ExitCode show_deed(const ShowOptions& options, Context& context);
 ExitCode render_deed(const RenderOptions& options, Context& context);
 ExitCode import_deed(const ImportOptions& options, Context& context);
 ExitCode epsilon_deed(const EpsilonOptions& options, Context& context);
+ExitCode calibrate_deed(const CalibrateOptions& options, Context& context);
 ExitCode chart_deed(const ChartOptions& options, Context& context);
 
 /// The renderers and their drivers, for `twin doctor`.

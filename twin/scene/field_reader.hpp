@@ -34,6 +34,9 @@ class FieldReader : public FieldVisitor {
   void choice(const Field& field, std::size_t& index, std::span<const std::string_view> words) override;
   void point(const Field& field, robot::Vec2& value, const Range& range) override;
   void points(const Field& field, std::vector<robot::Vec2>& value, const Range& range, Count count) override;
+  void numbers(const Field& field, std::vector<double>& value, const Range& range, Count count) override;
+  void texts(const Field& field, std::vector<std::string>& value, Count count) override;
+  void hex(const Field& field, std::span<std::uint8_t> value) override;
   void cells(const Field& field, Cells& value) override;
   void section(const Field& field, const std::function<void()>& body) override;
   void section_or_word(const Field& field, std::span<const std::string_view> words,

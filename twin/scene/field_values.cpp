@@ -211,6 +211,57 @@ void FieldReader::points(const Field& field, std::vector<robot::Vec2>& value, co
   }
 }
 
+void FieldReader::numbers(const Field& field, std::vector<double>& value, const Range& range, Count count) {
+  const YamlNode* node = take(field);
+  const std::string path = path_of(field.key);
+  if (node == nullptr || !list_in(*node, path, count, "numbers")) {
+    return;
+  }
+  value.clear();
+  for (std::size_t i = 0; i < node->items.size(); ++i) {
+    const std::string item_path = fmt::format("{}[{}]", path, i);
+    places_[item_path] = node->items[i].place;
+    value.push_back(number_in(node->items[i], item_path, range).value_or(0.0));
+  }
+}
+
+void FieldReader::texts(const Field& field, std::vector<std::string>& value, Count count) {
+  const YamlNode* node = take(field);
+  const std::string path = path_of(field.key);
+  if (node == nullptr || !list_in(*node, path, count, "texts")) {
+    return;
+  }
+  value.clear();
+  for (std::size_t i = 0; i < node->items.size(); ++i) {
+    const YamlNode& item = node->items[i];
+    const std::string item_path = fmt::format("{}[{}]", path, i);
+    places_[item_path] = item.place;
+    if (item.kind != YamlKind::kText || item.text.empty()) {
+      const bool scalar = item.kind == YamlKind::kNumber || item.kind == YamlKind::kFlag;
+      wrong(item, item_path, scalar ? "a text: put it in quotes" : "a text");
+    }
+    value.push_back(item.text);
+  }
+}
+
+void FieldReader::hex(const Field& field, std::span<std::uint8_t> value) {
+  const YamlNode* node = take(field);
+  if (node == nullptr) {
+    return;
+  }
+  // Digits alone look like a number to YAML; as written they are what is meant.
+  const bool scalar = node->kind == YamlKind::kText || node->kind == YamlKind::kNumber;
+  if (!scalar || node->text.size() != 2 * value.size() ||
+      node->text.find_first_not_of("0123456789abcdefABCDEF") != std::string::npos) {
+    wrong(*node, path_of(field.key), fmt::format("{} hexadecimal digits", 2 * value.size()));
+    return;
+  }
+  for (std::size_t i = 0; i < value.size(); ++i) {
+    const char* digits = node->text.data() + 2 * i;
+    std::from_chars(digits, digits + 2, value[i], 16);
+  }
+}
+
 void FieldReader::cells(const Field& field, Cells& value) {
   const YamlNode* node = take(field);
   const std::string path = path_of(field.key);

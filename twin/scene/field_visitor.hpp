@@ -61,6 +61,11 @@ class FieldVisitor {
   virtual void point(const Field& field, robot::Vec2& value, const Range& range) = 0;
   virtual void points(const Field& field, std::vector<robot::Vec2>& value, const Range& range,
                       Count count) = 0;
+  /// Plain numbers, each within `range`.
+  virtual void numbers(const Field& field, std::vector<double>& value, const Range& range, Count count) = 0;
+  virtual void texts(const Field& field, std::vector<std::string>& value, Count count) = 0;
+  /// Two hexadecimal digits for each byte, as long as `value`.
+  virtual void hex(const Field& field, std::span<std::uint8_t> value) = 0;
   /// [[column, row], ...]
   virtual void cells(const Field& field, Cells& value) = 0;
   virtual void section(const Field& field, const std::function<void()>& body) = 0;

@@ -5,6 +5,8 @@
 #include <array>
 #include <span>
 
+#include "twin/scene/phase_fields.hpp"
+
 namespace sensotwin::twin {
 namespace {
 
@@ -194,6 +196,7 @@ void world_fields(FieldVisitor& v, Scene& scene) {
   marker_fields(v, scene.world);
   v.section({"floor", "what is under the wheels"}, [&] { floor_fields(v, scene.world.floor); });
   hazard_fields(v, scene.world);
+  radio_world_fields(v, scene.world);
   v.number({"ceiling_m", "height of the room, m"}, scene.world.ceiling_m, {0.2, 100.0});
   v.angle({"north_deg", "magnetic north, counter-clockwise from +x, degrees"}, scene.world.north_yaw_rad,
           kHeading);
@@ -237,6 +240,7 @@ void robot_fields(FieldVisitor& v, Scene& scene) {
   v.section({"floor_reader", "reads the tags under the robot"},
             [&] { reader_fields(v, robot.floor_reader); });
   v.section({"forward_reader", "reads the tags ahead"}, [&] { reader_fields(v, robot.forward_reader); });
+  uhf_reader_fields(v, scene.world);
   v.section({"compass", "heading from the earth's field"}, [&] {
     v.number({"rate_hz", "sentences a second, Hz"}, robot.compass.rate_hz, {0.1, 66.0});
     v.angle({"noise_sigma_deg", "1 sigma, degrees"}, robot.compass.noise_sigma_rad, {0.0, 180.0});
@@ -254,7 +258,7 @@ void pace_fields(FieldVisitor& v, Pace& pace) {
 }
 
 void mission_fields(FieldVisitor& v, Mission& mission) {
-  const std::array<FieldVisitor::Alternative, 1> missions{{
+  const std::array<FieldVisitor::Alternative, 2> missions{{
       {"map", [&] { mission.map.emplace(); },
        [&] {
          v.section({"map", "SensoBot: map the carpet"}, [&] {
@@ -267,8 +271,16 @@ void mission_fields(FieldVisitor& v, Mission& mission) {
                [&] { pace_fields(v, mission.map->pace); });
          });
        }},
+      {"phase", [&] { mission.phase.emplace(); },
+       [&] {
+         v.section({"phase", "Gueaieb & Miah: along ceiling tags by phase difference"},
+                   [&] { phase_mission_fields(v, *mission.phase); });
+       }},
   }};
-  v.one_of(mission.map ? std::optional<std::size_t>{0} : std::nullopt, missions);
+  v.one_of(mission.map     ? std::optional<std::size_t>{0}
+           : mission.phase ? std::optional<std::size_t>{1}
+                           : std::nullopt,
+           missions);
 }
 
 void bounds_fields(FieldVisitor& v, std::optional<double>& min, std::optional<double>& max) {

@@ -11,6 +11,8 @@
 
 #include "robot/base/geometry.hpp"
 #include "robot/mapping/explorer_kind.hpp"
+#include "robot/phase/fuzzy_controller.hpp"
+#include "robot/phase/phase_pairing.hpp"
 #include "world/description.hpp"
 
 /// A scene: everything that one run is made of. Field order here is the order in the YAML and in the schema;
@@ -76,9 +78,35 @@ struct MapMission {
   Pace pace;
 };
 
+/// Who steers along the ceiling tags.
+enum class PhaseController : std::uint8_t {
+  kFuzzy,  ///< Gueaieb & Miah
+  kOwn,    ///< estimates where tags and robot are (robot/phase/estimation)
+};
+/// How the path runs through the projections of the destinations. In the order of robot::TagPathKind.
+enum class PhasePath : std::uint8_t { kPolyline, kSmooth, kCircle, kCircleAbout };
+/// In the order of robot::OnTagFault.
+enum class OnMissingTag : std::uint8_t { kSearch, kSkip, kStop };
+
+/// Gueaieb & Miah: along a path given by ceiling tags, by phase difference.
+struct PhaseMission {
+  PhaseController controller{PhaseController::kFuzzy};
+  std::vector<std::string> destinations;  ///< names of tags in order; none: all, as they are listed
+  double speed_mps{0.2};                  ///< Gueaieb & Miah, section V
+  robot::FuzzySets sets{robot::kReproductionSets};       ///< fuzzy
+  robot::Pairing pairing{robot::Pairing::kSameInstant};  ///< fuzzy
+  PhasePath path{PhasePath::kPolyline};                  ///< own; the fuzzy controller knows polylines only
+  bool slow_corners{false};                              ///< own: brakes and turns on the spot
+  double circle_radius_m{2.0};                           ///< own, circle_about
+  double circle_laps{1.0};                               ///< own, circle_about
+  OnMissingTag on_missing{OnMissingTag::kSkip};          ///< own
+  std::optional<double> corridor_half_width_m;           ///< own: never further from its path than this
+};
+
 /// What the robot is to do. Exactly one member is set.
 struct Mission {
   std::optional<MapMission> map;
+  std::optional<PhaseMission> phase;
 };
 
 /// Inclusive; at least one is set.

@@ -116,6 +116,8 @@ void SceneChecks::by_itself() {
   names();
   shapes();
   figures();
+  radio();
+  phase_mission();
 }
 
 void SceneChecks::names() {

@@ -36,6 +36,8 @@ class SceneChecks {
   void shapes();
   void figures();
   void expectations();
+  void radio();
+  void phase_mission();
   void carpet(const FloorPlan& floor);
   void furniture(const FloorPlan& floor);
   void markers(const FloorPlan& floor);

@@ -12,6 +12,8 @@
 #include "twin/scene/floor_plan.hpp"
 #include "twin/scene/map_import.hpp"
 #include "twin/scene/override.hpp"
+#include "twin/scene/phase_fields.hpp"
+#include "twin/scene/radio_profile.hpp"
 #include "twin/scene/scene_checks.hpp"
 #include "twin/scene/text_file.hpp"
 #include "twin/scene/yaml_tree.hpp"
@@ -129,7 +131,9 @@ Scene read_scene(const std::filesystem::path& file, const SceneOverrides& overri
 Scene read_scene_text(const std::string& text, const std::filesystem::path& file,
                       const SceneOverrides& overrides) {
   std::vector<Problem> problems;
-  const YamlNode root = parse_with_overrides(text, file.string(), overrides, problems);
+  YamlNode root = parse_with_overrides(text, file.string(), overrides, problems);
+  int exit_code = kExitInvalid;
+  take_radio_profile(root, file.parent_path(), problems, exit_code);
 
   Scene scene;
   scene.file = file.string();
@@ -144,7 +148,7 @@ Scene read_scene_text(const std::string& text, const std::filesystem::path& file
     scene.mission.map.emplace();
   }
 
-  int exit_code = kExitInvalid;
+  complete_radio(scene);
   SceneChecks checks(scene, reader, problems);
   checks.by_itself();
   if (const auto floor = build_walls(scene, file.parent_path(), checks, reader, problems, exit_code)) {

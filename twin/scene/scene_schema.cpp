@@ -65,6 +65,16 @@ class SchemaBuilder : public FieldVisitor {
   void points(const Field& field, std::vector<robot::Vec2>&, const Range& range, Count count) override {
     put(field, list_schema(list_schema(number_schema(range), {2, 2}), count), {});
   }
+  void numbers(const Field& field, std::vector<double>& value, const Range& range, Count count) override {
+    put(field, list_schema(number_schema(range), count), value.empty() ? Json{} : Json(value));
+  }
+  void texts(const Field& field, std::vector<std::string>&, Count count) override {
+    put(field, list_schema({{"type", "string"}, {"minLength", 1}}, count), {});
+  }
+  void hex(const Field& field, std::span<std::uint8_t> value) override {
+    const std::string digits = "^[0-9a-fA-F]{" + std::to_string(2 * value.size()) + "}$";
+    put(field, {{"type", "string"}, {"pattern", digits}}, {});
+  }
   void cells(const Field& field, Cells&) override {
     const Json whole{{"type", "integer"}, {"minimum", -kFarthestTile}, {"maximum", kFarthestTile}};
     put(field, list_schema(list_schema(whole, {2, 2}), {}), {});
@@ -166,6 +176,7 @@ class SchemaBuilder : public FieldVisitor {
 
 std::string scene_schema() {
   Scene defaults;
+  defaults.world.radio.emplace();
   defaults.mission.map.emplace();
   SchemaBuilder builder;
   visit_fields(builder, defaults);

@@ -57,6 +57,27 @@ class FieldWriter : public FieldVisitor {
     }
     line(field.key, "[" + list + "]");
   }
+  void numbers(const Field& field, std::vector<double>& value, const Range&, Count) override {
+    std::string list;
+    for (const double number : value) {
+      list += (list.empty() ? "" : ", ") + number_text(number);
+    }
+    line(field.key, "[" + list + "]");
+  }
+  void texts(const Field& field, std::vector<std::string>& value, Count) override {
+    std::string list;
+    for (const std::string& word : value) {
+      list += (list.empty() ? "" : ", ") + in_quotes(word);
+    }
+    line(field.key, "[" + list + "]");
+  }
+  void hex(const Field& field, std::span<std::uint8_t> value) override {
+    std::string digits;
+    for (const std::uint8_t byte : value) {
+      digits += fmt::format("{:02X}", byte);
+    }
+    line(field.key, in_quotes(digits));
+  }
   void cells(const Field& field, Cells& value) override {
     std::string list;
     for (const auto& [column, row] : value) {

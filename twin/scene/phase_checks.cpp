@@ -1,0 +1,101 @@
+// SPDX-License-Identifier: MIT
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <map>
+
+#include "robot/phase/fuzzy_controller.hpp"
+#include "twin/scene/nearest_name.hpp"
+#include "twin/scene/scene_checks.hpp"
+
+/// Ceiling tags, the radio and missions along the tags, as far as one field cannot tell.
+namespace sensotwin::twin {
+
+void SceneChecks::radio() {
+  if (!scene_.world.radio) {
+    return;
+  }
+  const world::RadioWorld& radio = *scene_.world.radio;
+  std::map<std::string, std::size_t> names;
+  std::map<robot::Epc, std::size_t> codes;
+  for (std::size_t i = 0; i < radio.tags.size(); ++i) {
+    const std::string path = fmt::format("world.ceiling_tags[{}]", i);
+    const auto [name, new_name] = names.try_emplace(radio.tags[i].name, i);
+    if (!new_name && sound(path + ".name")) {
+      add(path + ".name",
+          fmt::format("'{}' is the name of world.ceiling_tags[{}] too", name->first, name->second),
+          "expected a name of its own");
+    }
+    const auto [code, new_code] = codes.try_emplace(radio.tags[i].epc, i);
+    if (!new_code && sound(path)) {
+      add(path + ".epc", fmt::format("is the code of world.ceiling_tags[{}] too", code->second),
+          "expected a code of its own");
+    }
+  }
+  const std::size_t slots = radio.radio.slots_s.size();
+  if (!radio.radio.simultaneous && slots != 0 && slots != radio.antennas.size()) {
+    add("world.radio.slots_s",
+        fmt::format("has {} of them for {} antennas", slots, radio.antennas.size()),
+        "expected one for each antenna of robot.uhf_reader, or none");
+  }
+  if (sound("world.radio.phase_sign") && radio.radio.phase_sign != 1.0 && radio.radio.phase_sign != -1.0) {
+    add("world.radio.phase_sign", fmt::format("is {}", radio.radio.phase_sign), "expected 1 or -1");
+  }
+  for (std::size_t i = 0; i < radio.antennas.size(); ++i) {
+    if (radio.antennas[i].boresight.norm() < 0.5) {
+      add(fmt::format("robot.uhf_reader.antennas[{}].boresight", i), "is too short to be a direction",
+          "expected a vector of length 1, such as [0, 0, 1]");
+    }
+  }
+}
+
+void SceneChecks::phase_mission() {
+  if (!scene_.mission.phase) {
+    return;
+  }
+  const PhaseMission& mission = *scene_.mission.phase;
+  if (!scene_.world.radio || scene_.world.radio->tags.empty()) {
+    add("mission.phase", "needs ceiling tags", "expected world.ceiling_tags");
+    return;
+  }
+  const world::RadioWorld& radio = *scene_.world.radio;
+  if (!reader_.has("robot.start.at_m")) {
+    add("robot.start", "is missing", "expected a start: { at_m: [x, y], heading_deg: 0 }");
+  }
+  std::vector<std::string> names;
+  for (const world::CeilingTag& tag : radio.tags) {
+    names.emplace_back(tag.name);
+  }
+  for (std::size_t i = 0; i < mission.destinations.size(); ++i) {
+    const std::string& name = mission.destinations[i];
+    if (std::find(names.begin(), names.end(), name) == names.end()) {
+      add(fmt::format("mission.phase.destinations[{}]", i), fmt::format("there is no tag '{}'", name),
+          "expected the name of one of world.ceiling_tags" +
+              did_you_mean(name, names));
+    } else if (i > 0 && mission.destinations[i - 1] == name) {
+      add(fmt::format("mission.phase.destinations[{}]", i), fmt::format("'{}' comes twice in a row", name),
+          "expected another tag between");
+    }
+  }
+  if (mission.controller == PhaseController::kFuzzy) {
+    if (radio.antennas.size() != 2) {
+      add("robot.uhf_reader.antennas", fmt::format("there are {}", radio.antennas.size()),
+          "expected two for the fuzzy controller");
+    }
+    if (mission.path != PhasePath::kPolyline) {
+      add("mission.phase.path", "the fuzzy controller drives polylines only", "expected controller: own");
+    }
+    if (const auto problem = robot::problem_of(mission.sets); problem && sound("mission.phase.sets")) {
+      add("mission.phase.sets", *problem, "expected sets as in docs/phase.md");
+    }
+  } else if (radio.antennas.size() > 4) {
+    add("robot.uhf_reader.antennas", fmt::format("there are {}", radio.antennas.size()),
+        "expected at most four, the ports of an R420");
+  }
+  const std::size_t stops = mission.destinations.empty() ? radio.tags.size() : mission.destinations.size();
+  if (mission.path == PhasePath::kCircle && stops < 3) {
+    add("mission.phase.path", "three tags make a circle", "expected three destinations or more");
+  }
+}
+
+}  // namespace sensotwin::twin

@@ -1,0 +1,356 @@
+// SPDX-License-Identifier: MIT
+#include "robot/phase/estimation/joint_filter.hpp"
+
+#include <algorithm>
+#include <cassert>
+#include <cmath>
+
+namespace sensotwin::robot {
+namespace {
+
+constexpr int kScale = 3;
+constexpr int kTurnScale = 4;
+constexpr int kCurvature = 5;
+constexpr int kBias = 6;
+constexpr int kPorts = 7;
+constexpr int kPerTag = 4;
+constexpr double kUnknownPhase2 = 1e4;  ///< variance of a phase of which nothing is known
+/// As share of half a period: a phase predicted worse than this cannot be told from its neighbours.
+constexpr double kAmbiguousShare = 0.4;
+constexpr double kLightSpeed_mps = 299792458.0;
+
+double squared(double x) {
+  return x * x;
+}
+
+}  // namespace
+
+JointFilter::JointFilter(const PhaseReaderModel& model, const WheelModel& wheels, const CompassTrust& compass)
+    : model_(model),
+      wheels_(wheels),
+      compass_(compass),
+      ports_(static_cast<int>(model.antennas.size()) - 1),
+      base_(kPorts + ports_ + static_cast<int>(model.antennas.size())),
+      n_(base_),
+      x_(Eigen::VectorXd::Zero(base_ + kPerTag * kMostTags)),
+      P_(Eigen::MatrixXd::Zero(base_ + kPerTag * kMostTags, base_ + kPerTag * kMostTags)),
+      gain_(Eigen::VectorXd::Zero(base_ + kPerTag * kMostTags)) {
+  assert(ports_ >= 0);
+  ids_.reserve(kMostTags);
+  P_(kScale, kScale) = squared(wheels.scale_sigma);
+  P_(kTurnScale, kTurnScale) = squared(wheels.turn_scale_sigma);
+  P_(kCurvature, kCurvature) = squared(wheels.curvature_sigma_rad_per_m);
+  for (int i = 0; i < ports_; ++i) {
+    const AntennaMount& antenna = model.antennas[static_cast<std::size_t>(i + 1)];
+    x_(kPorts + i) = antenna.phase_offset_rad - model.antennas.front().phase_offset_rad;
+    P_(kPorts + i, kPorts + i) = squared(antenna.phase_offset_sigma_rad);
+  }
+  for (int i = 0; i <= ports_; ++i) {
+    P_(kPorts + ports_ + i, kPorts + ports_ + i) = squared(kLightSpeed_mps * model.cable_delay_sigma_s);
+  }
+}
+
+int JointFilter::slot(int id) const {
+  for (std::size_t i = 0; i < ids_.size(); ++i) {
+    if (ids_[i] == id) {
+      return static_cast<int>(i);
+    }
+  }
+  return -1;
+}
+
+WheelStep JointFilter::corrected(const WheelStep& step) const {
+  const double forward_m = step.forward_m * (1.0 + x_(kScale));
+  return {forward_m, step.turn_rad * (1.0 + x_(kTurnScale)) + x_(kCurvature) * forward_m};
+}
+
+void JointFilter::drive(const WheelStep& step) {
+  if (step.forward_m == 0.0 && step.turn_rad == 0.0) {
+    return;
+  }
+  const WheelStep way = corrected(step);
+  const double middle = x_(2) + way.turn_rad / 2.0;
+  const double c = std::cos(middle);
+  const double s = std::sin(middle);
+  const double d = way.forward_m;
+  // Columns: yaw, scale, turn scale, curvature.
+  const Eigen::Vector4d turned{1.0, x_(kCurvature) * step.forward_m, step.turn_rad, d};
+  Eigen::Vector4d by_x{-d * s, c * step.forward_m, 0.0, 0.0};
+  Eigen::Vector4d by_y{d * c, s * step.forward_m, 0.0, 0.0};
+  by_x.tail<3>() -= 0.5 * d * s * turned.tail<3>();
+  by_y.tail<3>() += 0.5 * d * c * turned.tail<3>();
+
+  x_(0) += d * c;
+  x_(1) += d * s;
+  x_(2) = wrap_angle(x_(2) + way.turn_rad);
+  // P <- F P F': only the pose depends on anything but itself. By columns, then by rows.
+  const auto middle_of = [](const auto& m, const Eigen::Vector4d& by) {
+    return (m.col(2) * by(0) + m.col(kScale) * by(1) + m.col(kTurnScale) * by(2) + m.col(kCurvature) * by(3))
+        .eval();
+  };
+  auto P = P_.topLeftCorner(n_, n_);
+  gain_.head(n_).noalias() = P.col(2) * by_x(0) + P.col(kScale) * by_x(1) + P.col(kTurnScale) * by_x(2) +
+                             P.col(kCurvature) * by_x(3);
+  P.col(0) += gain_.head(n_);
+  gain_.head(n_).noalias() = P.col(2) * by_y(0) + P.col(kScale) * by_y(1) + P.col(kTurnScale) * by_y(2) +
+                             P.col(kCurvature) * by_y(3);
+  P.col(1) += gain_.head(n_);
+  gain_.head(n_).noalias() =
+      P.col(kScale) * turned(1) + P.col(kTurnScale) * turned(2) + P.col(kCurvature) * turned(3);
+  P.col(2) += gain_.head(n_);
+  // The pose's rows of what is not pose are its columns; the corner needs the rows' turn as well.
+  const Eigen::Matrix<double, 7, 7> corner = P.topLeftCorner<7, 7>();
+  const Eigen::Matrix<double, 7, 7> across = corner.transpose();
+  Eigen::Matrix3d pose = corner.topLeftCorner<3, 3>();
+  pose.row(0) += middle_of(across, by_x).head<3>().transpose();
+  pose.row(1) += middle_of(across, by_y).head<3>().transpose();
+  Eigen::Vector4d only = turned;
+  only(0) = 0.0;
+  pose.row(2) += middle_of(across, only).head<3>().transpose();
+  P.topRightCorner(3, n_ - 3) = P.bottomLeftCorner(n_ - 3, 3).transpose();
+  P.topLeftCorner<3, 3>() = 0.5 * (pose + pose.transpose());
+
+  const double way_m = std::abs(d);
+  const double turn_rad = std::abs(way.turn_rad);
+  const double along2 = squared(wheels_.along_sigma_m) * way_m;
+  const double across2 = squared(wheels_.across_sigma_m) * way_m;
+  P_(0, 0) += along2 * c * c + across2 * s * s;
+  P_(1, 1) += along2 * s * s + across2 * c * c;
+  P_(0, 1) += (along2 - across2) * c * s;
+  P_(1, 0) = P_(0, 1);
+  P_(2, 2) += squared(wheels_.heading_sigma_rad) * way_m + squared(wheels_.turn_sigma_rad) * turn_rad;
+  P_(kBias, kBias) +=
+      squared(compass_.bias_walk_rad) * way_m + squared(compass_.turn_bias_walk_rad) * turn_rad;
+}
+
+void JointFilter::touch() {
+  P_(0, 0) += squared(wheels_.touch_sigma_m);
+  P_(1, 1) += squared(wheels_.touch_sigma_m);
+  P_(2, 2) += squared(wheels_.touch_sigma_rad);
+}
+
+double JointFilter::project(const SparseRow& H) {
+  gain_.head(n_).setZero();
+  for (int i = 0; i < H.size; ++i) {
+    const auto j = static_cast<std::size_t>(i);
+    gain_.head(n_) += H.by[j] * P_.col(H.at[j]).head(n_);
+  }
+  double variance = 0.0;
+  for (int i = 0; i < H.size; ++i) {
+    const auto j = static_cast<std::size_t>(i);
+    variance += H.by[j] * gain_(H.at[j]);
+  }
+  return variance;
+}
+
+void JointFilter::correct(double innovation, double variance) {
+  x_.head(n_) += gain_.head(n_) * (innovation / variance);
+  x_(2) = wrap_angle(x_(2));
+  for (int j = 0; j < n_; ++j) {
+    P_.col(j).head(n_) -= gain_.head(n_) * (gain_(j) / variance);
+  }
+}
+
+void JointFilter::set_offset(int j, const SparseRow& H, double innovation, double from_state, double noise) {
+  // offset = phase - rest: known exactly as far as the rest is.
+  assert(H.size > 0);
+  const double own = P_(j, j);
+  const double rest_variance = from_state - 2.0 * gain_(j) + own;
+  gain_.head(n_) -= P_.col(j).head(n_);
+  x_(j) += innovation;
+  P_.col(j).head(n_) = -gain_.head(n_);
+  P_.row(j).head(n_) = -gain_.head(n_).transpose();
+  P_(j, j) = rest_variance + noise;
+}
+
+void JointFilter::correct_by_compass(double reading_rad) {
+  SparseRow H;
+  H.add(2, 1.0);
+  H.add(kBias, 1.0);
+  const double innovation = wrap_angle(reading_rad - x_(2) - x_(kBias));
+  const double from_state = project(H);
+  const double noise = squared(compass_.noise_sigma_rad);
+  if (!compass_known_) {
+    set_offset(kBias, H, innovation, from_state, noise);
+    compass_known_ = true;
+    return;
+  }
+  correct(innovation, from_state + noise);
+}
+
+bool JointFilter::add(const NewTag& tag) {
+  assert(!knows(tag.id));
+  if (tags() >= kMostTags) {
+    return false;
+  }
+  const int j = n_;
+  const double c = std::cos(x_(2));
+  const double s = std::sin(x_(2));
+  const Vec2 away_M{c * tag.p_R_m.x() - s * tag.p_R_m.y(), s * tag.p_R_m.x() + c * tag.p_R_m.y()};
+  Eigen::Matrix2d turn;
+  turn << c, -s, s, c;
+  // p_M = p + R(yaw) p_R. What is known of the direction alone puts the tag the further the higher it hangs.
+  x_.segment<kPerTag>(j) << x_(0) + away_M.x(), x_(1) + away_M.y(), tag.height_m, 0.0;
+  P_.block(j, 0, 1, j) = P_.block(0, 0, 1, j) - away_M.y() * P_.block(2, 0, 1, j);
+  P_.block(j + 1, 0, 1, j) = P_.block(1, 0, 1, j) + away_M.x() * P_.block(2, 0, 1, j);
+  P_.block(j + 2, 0, 2, j).setZero();
+  P_.block(0, j, j, kPerTag) = P_.block(j, 0, kPerTag, j).transpose();
+  const double z2 = squared(tag.height_sigma_m);
+  const Vec2 by_height = away_M / (tag.height_m - model_.antennas.front().at_R_m.z());
+  Eigen::Matrix<double, 2, 3> G;
+  G << 1.0, 0.0, -away_M.y(), 0.0, 1.0, away_M.x();
+  auto own = P_.block<kPerTag, kPerTag>(j, j);
+  own.setZero();
+  own.topLeftCorner<2, 2>() = G * P_.topLeftCorner<3, 3>() * G.transpose() +
+                              turn * tag.covariance_R_m2 * turn.transpose() +
+                              z2 * by_height * by_height.transpose();
+  own.block<2, 1>(0, 2) = z2 * by_height;
+  own.block<1, 2>(2, 0) = z2 * by_height.transpose();
+  own(2, 2) = z2;
+  own(3, 3) = kUnknownPhase2;
+  n_ += kPerTag;
+  ids_.push_back(tag.id);
+  return true;
+}
+
+bool JointFilter::restore(int id, const Eigen::Vector3d& p_M_m, const Eigen::Matrix3d& covariance_m2) {
+  assert(!knows(id));
+  if (tags() >= kMostTags) {
+    return false;
+  }
+  const int j = n_;
+  x_.segment<kPerTag>(j) << p_M_m, 0.0;
+  P_.block(j, 0, kPerTag, j).setZero();
+  P_.block(0, j, j, kPerTag).setZero();
+  P_.block<kPerTag, kPerTag>(j, j).setZero();
+  P_.block<3, 3>(j, j) = covariance_m2;
+  P_(j + 3, j + 3) = kUnknownPhase2;
+  n_ += kPerTag;
+  ids_.push_back(id);
+  return true;
+}
+
+void JointFilter::remove(int id) {
+  const int gone = slot(id);
+  assert(gone >= 0);
+  const int last = tags() - 1;
+  const int j = base_ + kPerTag * gone;
+  const int k = base_ + kPerTag * last;
+  if (gone != last) {
+    x_.segment<kPerTag>(j) = x_.segment<kPerTag>(k);
+    // First the columns, then the rows with the moved block's own corner.
+    P_.block(0, j, n_, kPerTag) = P_.block(0, k, n_, kPerTag);
+    P_.block(j, 0, kPerTag, n_) = P_.block(k, 0, kPerTag, n_);
+    ids_[static_cast<std::size_t>(gone)] = ids_.back();
+  }
+  ids_.pop_back();
+  n_ -= kPerTag;
+}
+
+void JointFilter::forget_phase(int id) {
+  const int j = state_of(id) + 3;
+  P_.col(j).head(n_).setZero();
+  P_.row(j).head(n_).setZero();
+  P_(j, j) = kUnknownPhase2;
+}
+
+PhasePrediction JointFilter::predict(int id, const UhfRead& read, const Pose2& X_now_then) const {
+  const int port = read.antenna - 1;
+  const int j = state_of(id);
+  const AntennaMount& mount = model_.antennas[static_cast<std::size_t>(port)];
+  const WayLength way =
+      way_length(way_ends(model_, static_cast<std::size_t>(port), X_now_then), pose(), x_.segment<3>(j));
+  const double k = model_.phase_sign * model_.wave_number(read.frequency_hz);
+  const double hop = k - model_.phase_sign * model_.wave_number(0.0);
+  const int cable = kPorts + ports_ + port;
+  PhasePrediction p;
+  p.slant_m = way.slant_m;
+  p.phase_rad = k * way.length_m + hop * (kLightSpeed_mps * mount.cable_delay_s + x_(cable)) + x_(j + 3);
+  for (int i = 0; i < 3; ++i) {
+    p.H.add(i, k * way.by_pose(i));
+    p.H.add(j + i, k * way.by_tag(i));
+  }
+  p.H.add(j + 3, 1.0);
+  p.H.add(cable, hop);
+  if (port > 0) {
+    p.H.add(kPorts + port - 1, 1.0);
+    p.phase_rad += x_(kPorts + port - 1);
+  }
+  return p;
+}
+
+JointFilter::Outcome JointFilter::read(int id, const UhfRead& read, const Pose2& X_now_then,
+                                       double noise_scale2, double gate_sigmas) {
+  const PhasePrediction p = predict(id, read, X_now_then);
+  Outcome out;
+  out.innovation_rad = model_.wrap(read.phase_rad - p.phase_rad);
+  out.noise = noise_scale2 * model_.noise.variance(p.slant_m, read.rssi_dbm);
+  const double from_state = project(p.H);
+  out.variance = from_state + out.noise;
+  if (from_state > squared(kAmbiguousShare * model_.half_period_rad())) {
+    const int offset = state_of(id) + 3;
+    const int port = read.antenna > 1 ? kPorts + read.antenna - 2 : offset;
+    set_offset(P_(port, port) > 0.5 * from_state ? port : offset, p.H, out.innovation_rad, from_state,
+               out.noise);
+    out.fate = Fate::kOffsetSet;
+  } else if (squared(out.innovation_rad) > squared(gate_sigmas) * out.variance) {
+    out.fate = Fate::kRejected;
+  } else {
+    correct(out.innovation_rad, out.variance);
+  }
+  return out;
+}
+
+void JointFilter::fix_over(int id, const Vec2& offset_M_m, const Vec2& along_M, double along_sigma_m,
+                           double across_sigma_m) {
+  const Vec2 across_M{-along_M.y(), along_M.x()};
+  for (const bool along : {true, false}) {
+    const Vec2& n = along ? along_M : across_M;
+    const int j = state_of(id);
+    SparseRow H;
+    H.add(0, n.x());
+    H.add(1, n.y());
+    H.add(j, -n.x());
+    H.add(j + 1, -n.y());
+    const Vec2 now = x_.head<2>() - x_.segment<2>(j);
+    const double from_state = project(H);
+    correct(n.dot(offset_M_m - now), from_state + squared(along ? along_sigma_m : across_sigma_m));
+  }
+}
+
+Eigen::Vector3d JointFilter::port_offsets_rad() const {
+  Eigen::Vector3d offsets = Eigen::Vector3d::Zero();
+  offsets.head(ports_) = x_.segment(kPorts, ports_);
+  return offsets;
+}
+
+Eigen::Vector3d JointFilter::port_offset_variances() const {
+  Eigen::Vector3d variances = Eigen::Vector3d::Zero();
+  variances.head(ports_) = P_.diagonal().segment(kPorts, ports_);
+  return variances;
+}
+
+double JointFilter::across_sigma_m(const Vec2& n_M, int from, int to, double part) const {
+  SparseRow H;
+  H.add(0, n_M.x());
+  H.add(1, n_M.y());
+  const auto add = [&](int id, double weight) {
+    if (id >= 0 && knows(id)) {
+      H.add(state_of(id), -weight * n_M.x());
+      H.add(state_of(id) + 1, -weight * n_M.y());
+    }
+  };
+  add(from, 1.0 - part);
+  add(to, part);
+  double variance = 0.0;
+  for (int a = 0; a < H.size; ++a) {
+    for (int b = 0; b < H.size; ++b) {
+      const auto i = static_cast<std::size_t>(a);
+      const auto j = static_cast<std::size_t>(b);
+      variance += H.by[i] * H.by[j] * P_(H.at[i], H.at[j]);
+    }
+  }
+  return std::sqrt(std::max(variance, 0.0));
+}
+
+}  // namespace sensotwin::robot

@@ -152,7 +152,7 @@ void CeilingEstimator::seek(int id, const UhfRead& read, const Pose2& X_OR_then)
 
 void CeilingEstimator::promote(int id) {
   Watched& tag = watched_[static_cast<std::size_t>(id)];
-  const TagBank::Candidate found = banks_[static_cast<std::size_t>(tag.bank)].best();
+  const TagBank::Candidate found = banks_[static_cast<std::size_t>(tag.bank)].place();
   const Pose2 X_RO = reckoning_.pose().inverse();
   Eigen::Matrix2d turn;
   turn << std::cos(X_RO.yaw_rad), -std::sin(X_RO.yaw_rad), std::sin(X_RO.yaw_rad), std::cos(X_RO.yaw_rad);
@@ -330,14 +330,13 @@ TagEstimate CeilingEstimator::tag(int id) const {
     estimate.p_M_m = tag.last_M_m.head<2>();
     estimate.covariance_m2 = tag.last_covariance.topLeftCorner<2, 2>();
   } else if (tag.bank >= 0 && !banks_[static_cast<std::size_t>(tag.bank)].empty()) {
-    const TagBank::Candidate best = banks_[static_cast<std::size_t>(tag.bank)].best();
+    const TagBank::Candidate sought = banks_[static_cast<std::size_t>(tag.bank)].place();
     const Pose2 X_MO = pose() * reckoning_.pose().inverse();
     Eigen::Matrix2d turn;
     turn << std::cos(X_MO.yaw_rad), -std::sin(X_MO.yaw_rad), std::sin(X_MO.yaw_rad), std::cos(X_MO.yaw_rad);
     estimate.knowledge = TagKnowledge::kSought;
-    estimate.p_M_m = X_MO * best.p_O_m;
-    estimate.covariance_m2 = turn * best.covariance_m2 * turn.transpose();
-    estimate.share = best.share;
+    estimate.p_M_m = X_MO * sought.p_O_m;
+    estimate.covariance_m2 = turn * sought.covariance_m2 * turn.transpose();
   }
   return estimate;
 }

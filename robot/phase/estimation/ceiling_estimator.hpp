@@ -50,7 +50,6 @@ struct TagEstimate {
   Vec2 p_M_m{0.0, 0.0};
   Eigen::Matrix2d covariance_m2{Eigen::Matrix2d::Zero()};
   double height_m{3.0};
-  double share{1.0};  ///< of belief in this place, while it is sought
   std::optional<Instant> heard;
 };
 

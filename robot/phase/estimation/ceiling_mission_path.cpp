@@ -8,8 +8,8 @@
 namespace sensotwin::robot {
 namespace {
 
-/// A sought tag's likeliest place is steered to when belief in it is above this.
-constexpr double kShareToSteer = 0.6;
+/// A sought tag is steered to when its place is known this well against its distance, or a metre.
+constexpr double kSteerable = 0.5;
 /// Two tags nearer than this make no leg.
 constexpr double kShortest_m = 0.02;
 constexpr std::size_t kMostCirclePoints = 16;
@@ -20,7 +20,9 @@ std::optional<Vec2> CeilingMission::place_of(int tag) const {
   const TagEstimate estimate = estimator_.tag(tag);
   const bool known =
       estimate.knowledge == TagKnowledge::kTracked || estimate.knowledge == TagKnowledge::kKept;
-  if (known || (estimate.knowledge == TagKnowledge::kSought && estimate.share > kShareToSteer)) {
+  const double away_m = std::max(1.0, (estimate.p_M_m - estimator_.pose().p_m).norm());
+  if (known || (estimate.knowledge == TagKnowledge::kSought &&
+                std::sqrt(estimate.covariance_m2.trace()) < kSteerable * away_m)) {
     return estimate.p_M_m;
   }
   return std::nullopt;

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cassert>
 #include <cmath>
+#include <utility>
 
 namespace sensotwin::robot {
 namespace {
@@ -13,7 +14,7 @@ constexpr int kTurnScale = 4;
 constexpr int kCurvature = 5;
 constexpr int kBias = 6;
 constexpr int kPorts = 7;
-constexpr int kPerTag = 4;
+constexpr int kEcho = 4;                ///< in a tag's states, after place and phase offset
 constexpr double kUnknownPhase2 = 1e4;  ///< variance of a phase of which nothing is known
 /// As share of half a period: a phase predicted worse than this cannot be told from its neighbours.
 constexpr double kAmbiguousShare = 0.4;
@@ -31,10 +32,16 @@ JointFilter::JointFilter(const PhaseReaderModel& model, const WheelModel& wheels
       compass_(compass),
       ports_(static_cast<int>(model.antennas.size()) - 1),
       base_(kPorts + ports_ + static_cast<int>(model.antennas.size())),
+      echoes_(model.noise.echo_rad > 0.0 ? ports_ + 2 : 0),
+      per_tag_(kEcho + echoes_),
       n_(base_),
-      x_(Eigen::VectorXd::Zero(base_ + kPerTag * kMostTags)),
-      P_(Eigen::MatrixXd::Zero(base_ + kPerTag * kMostTags, base_ + kPerTag * kMostTags)),
-      gain_(Eigen::VectorXd::Zero(base_ + kPerTag * kMostTags)) {
+      x_(Eigen::VectorXd::Zero(base_ +
+                               (kEcho + static_cast<int>(PhaseReaderModel::kMostAntennas) + 1) * kMostTags)),
+      P_(Eigen::MatrixXd::Zero(
+          base_ + per_tag_ * kMostTags,
+          base_ + (kEcho + static_cast<int>(PhaseReaderModel::kMostAntennas) + 1) * kMostTags)),
+      gain_(Eigen::VectorXd::Zero(base_ + (kEcho + static_cast<int>(PhaseReaderModel::kMostAntennas) + 1) *
+                                              kMostTags)) {
   assert(ports_ >= 0);
   ids_.reserve(kMostTags);
   P_(kScale, kScale) = squared(wheels.scale_sigma);
@@ -46,6 +53,7 @@ JointFilter::JointFilter(const PhaseReaderModel& model, const WheelModel& wheels
     P_(kPorts + i, kPorts + i) = squared(antenna.phase_offset_sigma_rad);
   }
   for (int i = 0; i <= ports_; ++i) {
+    antenna_arm_m_ += model.antennas[static_cast<std::size_t>(i)].at_R_m.head<2>().norm() / (ports_ + 1);
     P_(kPorts + ports_ + i, kPorts + ports_ + i) = squared(kLightSpeed_mps * model.cable_delay_sigma_s);
   }
 }
@@ -112,6 +120,7 @@ void JointFilter::drive(const WheelStep& step) {
 
   const double way_m = std::abs(d);
   const double turn_rad = std::abs(way.turn_rad);
+  way_since_read_m_ += way_m + antenna_arm_m_ * turn_rad;
   const double along2 = squared(wheels_.along_sigma_m) * way_m;
   const double across2 = squared(wheels_.across_sigma_m) * way_m;
   P_(0, 0) += along2 * c * c + across2 * s * s;
@@ -178,6 +187,37 @@ void JointFilter::correct_by_compass(double reading_rad) {
   correct(innovation, from_state + noise);
 }
 
+void JointFilter::begin_echoes(int j) {
+  P_.block(j, j, per_tag_, per_tag_).setZero();
+  for (int i = 0; i < echoes_; ++i) {
+    x_(j + kEcho + i) = 0.0;
+    P_(j + kEcho + i, j + kEcho + i) = echo_variance(i);
+  }
+}
+
+double JointFilter::echo_variance(int echo) const {
+  // The way out and the way back bend alike; with one antenna for both they bend together.
+  const double whole = squared(model_.noise.echo_rad);
+  return model_.monostatic ? (echo == 0 ? 0.0 : whole) : whole / 2.0;
+}
+
+void JointFilter::age_echoes() {
+  const double way_m = std::exchange(way_since_read_m_, 0.0);
+  if (echoes_ == 0 || way_m == 0.0) {
+    return;
+  }
+  const double kept = std::exp(-way_m / model_.noise.echo_length_m);
+  for (int t = 0; t < tags(); ++t) {
+    const int j = base_ + per_tag_ * t + kEcho;
+    x_.segment(j, echoes_) *= kept;
+    P_.block(0, j, n_, echoes_) *= kept;
+    P_.block(j, 0, echoes_, n_) *= kept;
+    for (int i = 0; i < echoes_; ++i) {
+      P_(j + i, j + i) += (1.0 - kept * kept) * echo_variance(i);
+    }
+  }
+}
+
 bool JointFilter::add(const NewTag& tag) {
   assert(!knows(tag.id));
   if (tags() >= kMostTags) {
@@ -190,25 +230,26 @@ bool JointFilter::add(const NewTag& tag) {
   Eigen::Matrix2d turn;
   turn << c, -s, s, c;
   // p_M = p + R(yaw) p_R. What is known of the direction alone puts the tag the further the higher it hangs.
-  x_.segment<kPerTag>(j) << x_(0) + away_M.x(), x_(1) + away_M.y(), tag.height_m, 0.0;
+  x_.segment<kEcho>(j) << x_(0) + away_M.x(), x_(1) + away_M.y(), tag.height_m, 0.0;
   P_.block(j, 0, 1, j) = P_.block(0, 0, 1, j) - away_M.y() * P_.block(2, 0, 1, j);
   P_.block(j + 1, 0, 1, j) = P_.block(1, 0, 1, j) + away_M.x() * P_.block(2, 0, 1, j);
   P_.block(j + 2, 0, 2, j).setZero();
-  P_.block(0, j, j, kPerTag) = P_.block(j, 0, kPerTag, j).transpose();
+  P_.block(j + kEcho, 0, echoes_, j).setZero();
+  P_.block(0, j, j, per_tag_) = P_.block(j, 0, per_tag_, j).transpose();
   const double z2 = squared(tag.height_sigma_m);
   const Vec2 by_height = away_M / (tag.height_m - model_.antennas.front().at_R_m.z());
   Eigen::Matrix<double, 2, 3> G;
   G << 1.0, 0.0, -away_M.y(), 0.0, 1.0, away_M.x();
-  auto own = P_.block<kPerTag, kPerTag>(j, j);
-  own.setZero();
-  own.topLeftCorner<2, 2>() = G * P_.topLeftCorner<3, 3>() * G.transpose() +
-                              turn * tag.covariance_R_m2 * turn.transpose() +
-                              z2 * by_height * by_height.transpose();
-  own.block<2, 1>(0, 2) = z2 * by_height;
-  own.block<1, 2>(2, 0) = z2 * by_height.transpose();
+  auto own = P_.block(j, j, per_tag_, per_tag_);
+  begin_echoes(j);
+  own.topLeftCorner(2, 2) = G * P_.topLeftCorner<3, 3>() * G.transpose() +
+                            turn * tag.covariance_R_m2 * turn.transpose() +
+                            z2 * by_height * by_height.transpose();
+  own.block(0, 2, 2, 1) = z2 * by_height;
+  own.block(2, 0, 1, 2) = z2 * by_height.transpose();
   own(2, 2) = z2;
   own(3, 3) = kUnknownPhase2;
-  n_ += kPerTag;
+  n_ += per_tag_;
   ids_.push_back(tag.id);
   return true;
 }
@@ -219,13 +260,13 @@ bool JointFilter::restore(int id, const Eigen::Vector3d& p_M_m, const Eigen::Mat
     return false;
   }
   const int j = n_;
-  x_.segment<kPerTag>(j) << p_M_m, 0.0;
-  P_.block(j, 0, kPerTag, j).setZero();
-  P_.block(0, j, j, kPerTag).setZero();
-  P_.block<kPerTag, kPerTag>(j, j).setZero();
+  x_.segment<kEcho>(j) << p_M_m, 0.0;
+  P_.block(j, 0, per_tag_, j).setZero();
+  P_.block(0, j, j, per_tag_).setZero();
+  begin_echoes(j);
   P_.block<3, 3>(j, j) = covariance_m2;
   P_(j + 3, j + 3) = kUnknownPhase2;
-  n_ += kPerTag;
+  n_ += per_tag_;
   ids_.push_back(id);
   return true;
 }
@@ -234,17 +275,17 @@ void JointFilter::remove(int id) {
   const int gone = slot(id);
   assert(gone >= 0);
   const int last = tags() - 1;
-  const int j = base_ + kPerTag * gone;
-  const int k = base_ + kPerTag * last;
+  const int j = base_ + per_tag_ * gone;
+  const int k = base_ + per_tag_ * last;
   if (gone != last) {
-    x_.segment<kPerTag>(j) = x_.segment<kPerTag>(k);
+    x_.segment(j, per_tag_) = x_.segment(k, per_tag_);
     // First the columns, then the rows with the moved block's own corner.
-    P_.block(0, j, n_, kPerTag) = P_.block(0, k, n_, kPerTag);
-    P_.block(j, 0, kPerTag, n_) = P_.block(k, 0, kPerTag, n_);
+    P_.block(0, j, n_, per_tag_) = P_.block(0, k, n_, per_tag_);
+    P_.block(j, 0, per_tag_, n_) = P_.block(k, 0, per_tag_, n_);
     ids_[static_cast<std::size_t>(gone)] = ids_.back();
   }
   ids_.pop_back();
-  n_ -= kPerTag;
+  n_ -= per_tag_;
 }
 
 void JointFilter::forget_phase(int id) {
@@ -272,6 +313,14 @@ PhasePrediction JointFilter::predict(int id, const UhfRead& read, const Pose2& X
   }
   p.H.add(j + 3, 1.0);
   p.H.add(cable, hop);
+  if (echoes_ > 0) {
+    p.H.add(j + kEcho + 1 + port, 1.0);
+    p.phase_rad += x_(j + kEcho + 1 + port);
+    if (!model_.monostatic) {
+      p.H.add(j + kEcho, 1.0);
+      p.phase_rad += x_(j + kEcho);
+    }
+  }
   if (port > 0) {
     p.H.add(kPorts + port - 1, 1.0);
     p.phase_rad += x_(kPorts + port - 1);
@@ -281,6 +330,7 @@ PhasePrediction JointFilter::predict(int id, const UhfRead& read, const Pose2& X
 
 JointFilter::Outcome JointFilter::read(int id, const UhfRead& read, const Pose2& X_now_then,
                                        double noise_scale2, double gate_sigmas) {
+  age_echoes();
   const PhasePrediction p = predict(id, read, X_now_then);
   Outcome out;
   out.innovation_rad = model_.wrap(read.phase_rad - p.phase_rad);

@@ -44,13 +44,14 @@ struct PhasePrediction {
 ///
 ///     [ x, y, yaw of R in M; scale, turn scale, curvature of the wheels; compass bias;
 ///       phase offset of ports 2.. against port 1; cable error of every port (metres);
-///       per tag: x, y, z in M, phase offset ]
+///       per tag: x, y, z in M, phase offset; echo at the transmitter, at every port ]
 ///
 /// M is where R stood at the start. Phases of every read, each port by itself (the common mode of the ports
 /// tells a change of range to a millimetre; algorithms study, A.4):
 ///
 ///     phase = sign (k L + (k - k_0) (c T_port + cable error)) + offset_tag + offset_port + noise
 ///
+/// plus the echoes, Gauss-Markov processes over the antennas' way (PhaseNoise; left out if its echo is zero),
 /// with L the way over the tag and k_0 the wave number of the centre, so that what the tag's own phase keeps
 /// through all channels is one number, and a hop tells L itself.
 ///
@@ -58,7 +59,7 @@ struct PhasePrediction {
 /// (tests/robot/phase/estimation/estimator_cost_test.cpp prints it). Never allocates after construction.
 class JointFilter {
  public:
-  static constexpr int kMostTags = 16;
+  static constexpr int kMostTags = 12;
 
   JointFilter(const PhaseReaderModel& model, const WheelModel& wheels, const CompassTrust& compass);
 
@@ -129,22 +130,29 @@ class JointFilter {
 
  private:
   [[nodiscard]] int slot(int id) const;
-  [[nodiscard]] int state_of(int id) const { return base_ + 4 * slot(id); }
+  [[nodiscard]] int state_of(int id) const { return base_ + per_tag_ * slot(id); }
   [[nodiscard]] double project(const SparseRow& H);  ///< gain_ = P H'; returns H P H'
   void correct(double innovation, double variance);
+  void begin_echoes(int j);
+  [[nodiscard]] double echo_variance(int echo) const;
+  void age_echoes();
   void set_offset(int j, const SparseRow& H, double innovation, double from_state, double noise);
 
   const PhaseReaderModel& model_;
   WheelModel wheels_;
   CompassTrust compass_;
-  int ports_;  ///< states of offsets of ports 2..
-  int base_;   ///< states before the tags
+  int ports_;    ///< states of offsets of ports 2..
+  int base_;     ///< states before the tags
+  int echoes_;   ///< states of echoes per tag: none, or the transmitter's and each port's
+  int per_tag_;  ///< states per tag
   int n_;
   Eigen::VectorXd x_;
   Eigen::MatrixXd P_;
   Eigen::VectorXd gain_;
   std::vector<int> ids_;
   bool compass_known_{false};
+  double way_since_read_m_{0.0};  ///< of an antenna, while echoes were not aged
+  double antenna_arm_m_{0.0};     ///< mean distance of the antennas from the robot's middle
 };
 
 }  // namespace sensotwin::robot

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "robot/phase/estimation/phase_model.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 namespace sensotwin::robot {
@@ -37,7 +38,12 @@ Eigen::Vector3d moved(const Pose2& X, const Eigen::Vector3d& p) {
 double PhaseNoise::variance(double distance_m, double rssi_dbm) const {
   const double far = per_m_rad * distance_m;
   const double weak = at_50dbm_rad > 0.0 ? at_50dbm_rad * std::pow(10.0, -(rssi_dbm + 50.0) / 20.0) : 0.0;
-  return floor_rad * floor_rad + far * far + weak * weak + echo_rad * echo_rad;
+  return floor_rad * floor_rad + far * far + weak * weak;
+}
+
+double PhaseNoise::echo_as_noise(double way_m) const {
+  // A standing antenna hears the same echo again and again: its reads count as one in a millimetre at least.
+  return echo_rad * echo_rad * std::max(1.0, 2.0 * echo_length_m / std::max(way_m, 1e-3));
 }
 
 double PhaseReaderModel::wave_number(double frequency_hz) const {

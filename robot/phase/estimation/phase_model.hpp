@@ -21,22 +21,29 @@ struct AntennaMount {
 
 /// Standard deviation of one read's phase that the robot reckons with:
 ///
-///   sigma^2 = floor^2 + (per_m d)^2 + (at_50dbm 10^(-(RSSI + 50) / 20))^2 + echo^2
+///   sigma^2 = floor^2 + (per_m d)^2 + (at_50dbm 10^(-(RSSI + 50) / 20))^2
+///
+/// and beside it what echoes bend, which reads nearby share: a Gauss-Markov process over the antenna's way.
 ///
 /// | symbol        | meaning                                                  | unit  |
 /// |---------------|----------------------------------------------------------|-------|
 /// | floor, per_m  | read noise, growing with the distance d of the tag       | rad, rad/m |
 /// | at_50dbm      | read noise that follows RSSI (data study, 3.5)           | rad   |
-/// | echo          | what echoes bend and reads nearby share                  | rad   |
-///
-/// Reads nearby share their echo, so that many of them say little more than one: `echo_rad` is best given as
-/// its root mean square times the root of the reads in a quarter wavelength's way.
+/// | echo          | root mean square of what echoes add to a read's phase    | rad   |
+/// | echo_length   | way over which it becomes another                        | m     |
 struct PhaseNoise {
   double floor_rad{0.0};
   double per_m_rad{0.024};  ///< algorithms study, A.0: the paper's measurements
   double at_50dbm_rad{0.0};
   double echo_rad{0.0};
+  /// Fringes of a direct and a reflected wave are a half to one wavelength apart on the floor; their phase is
+  /// another after a sixth of that.
+  double echo_length_m{0.05};
+  /// Of the read itself.
   [[nodiscard]] double variance(double distance_m, double rssi_dbm) const;
+  /// Of the echo if it were independent from read to read and had to say as little in sum. \param way_m  of
+  /// the antenna since the tag was last read by it
+  [[nodiscard]] double echo_as_noise(double way_m) const;
 };
 
 /// Reader and antennas as the robot knows them.

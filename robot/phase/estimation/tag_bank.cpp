@@ -6,6 +6,7 @@
 #include <array>
 #include <cassert>
 #include <cmath>
+#include <utility>
 
 namespace sensotwin::robot {
 namespace {
@@ -22,10 +23,9 @@ constexpr double kOutlierShare = 0.01;
 constexpr double kGate2 = 25.0;  ///< five sigma squared (algorithms study, A.4)
 /// As share of half a period: a phase predicted worse than this cannot be told from its neighbours.
 constexpr double kAmbiguousShare = 0.4;
-constexpr double kSettledShare = 0.9933;  ///< log-weight gap of 5 to all others (A.4)
 /// Linear enough: one sigma of the place against the slant distance. Chosen: the second-order part of the
 /// direction is then below a hundredth.
-constexpr double kNarrow = 0.1;
+constexpr double kNarrow = 0.05;
 constexpr double kMisfitMemory = 0.05;  ///< mean over about 20 reads (A.4)
 constexpr int kReadsPerJoin = 8;
 constexpr std::size_t kJoinable = 160;  ///< pairs are compared below this many
@@ -98,6 +98,10 @@ void TagBank::drive(const WheelStep& step, const Pose2& X_OR) {
   pending_m_ += std::abs(step.forward_m);
   pending_rad_ += std::abs(step.turn_rad);
   driven_m_ += std::abs(step.forward_m);
+  for (std::size_t i = 0; i < model_.antennas.size(); ++i) {
+    way_since_read_m_[i] +=
+        std::abs(step.forward_m) + std::abs(step.turn_rad) * model_.antennas[i].at_R_m.head<2>().norm();
+  }
   robot_O_m_ = X_OR.p_m;
 }
 
@@ -122,7 +126,8 @@ void TagBank::spread() {
   pending_m_ = pending_rad_ = 0.0;
 }
 
-void TagBank::weigh(Component& c, const UhfRead& read, const Pose2& X_OR, double noise_scale2) const {
+void TagBank::weigh(Component& c, const UhfRead& read, const Pose2& X_OR, double noise_scale2,
+                    double echo) const {
   const std::size_t port = read.antenna - 1u;
   const std::size_t antenna = c.exchanged && port < 2 ? 1 - port : port;
   const WayLength way = way_length(way_ends(model_, antenna, Pose2{}), X_OR, {c.x(0), c.x(1), height_m_});
@@ -137,7 +142,7 @@ void TagBank::weigh(Component& c, const UhfRead& read, const Pose2& X_OR, double
     H(2 + static_cast<int>(port)) = 1.0;
     predicted += c.x(2 + static_cast<int>(port));
   }
-  const double noise = noise_scale2 * model_.noise.variance(way.slant_m, read.rssi_dbm);
+  const double noise = noise_scale2 * model_.noise.variance(way.slant_m, read.rssi_dbm) + echo;
   const double innovation = model_.wrap(read.phase_rad - predicted);
   const State PH = c.P * H;
   const double from_state = H.dot(PH);
@@ -153,7 +158,7 @@ void TagBank::weigh(Component& c, const UhfRead& read, const Pose2& X_OR, double
     c.x(j) += innovation;
     c.P.col(j) = -rest;
     c.P.row(j) = -rest.transpose();
-    c.P(j, j) = rest_variance + noise;
+    c.P(j, j) = rest_variance + noise - echo + model_.noise.echo_rad * model_.noise.echo_rad;
     c.log_weight += -std::log(2.0 * half);
     return;
   }
@@ -170,8 +175,9 @@ void TagBank::weigh(Component& c, const UhfRead& read, const Pose2& X_OR, double
 
 void TagBank::read(const UhfRead& read, const Pose2& X_OR, double noise_scale2) {
   spread();
+  const double echo = model_.noise.echo_as_noise(std::exchange(way_since_read_m_[read.antenna - 1u], 0.0));
   for (std::size_t i = 0; i < count_; ++i) {
-    weigh(components_[i], read, X_OR, noise_scale2);
+    weigh(components_[i], read, X_OR, noise_scale2, echo);
   }
   const Tally best = tally(false);
   misfit_ += kMisfitMemory * (std::min(components_[best.index].last_fit, kGate2) - misfit_);
@@ -236,20 +242,31 @@ void TagBank::join() {
   }
 }
 
-TagBank::Candidate TagBank::best() const {
+TagBank::Candidate TagBank::place() const {
   const Tally t = tally(false);
-  const Component& c = components_[t.index];
-  return {c.x.head<2>(), c.P.topLeftCorner<2, 2>(), 1.0 / t.sum};
+  Candidate sum;
+  for (std::size_t i = 0; i < count_; ++i) {
+    const Component& c = components_[i];
+    if (!c.exchanged) {
+      const double share = std::exp(c.log_weight - t.best) / t.sum;
+      sum.p_O_m += share * c.x.head<2>();
+      sum.covariance_m2 += share * (c.P.topLeftCorner<2, 2>() + c.x.head<2>() * c.x.head<2>().transpose());
+    }
+  }
+  sum.covariance_m2 -= sum.p_O_m * sum.p_O_m.transpose();
+  return sum;
 }
 
 bool TagBank::settled(const Pose2& X_OR) const {
   if (count_ == 0) {
     return false;
   }
-  const Candidate c = best();
+  const Candidate c = place();
   const double above_m = height_m_ - model_.antennas.front().at_R_m.z();
   const double slant2 = (c.p_O_m - X_OR.p_m).squaredNorm() + above_m * above_m;
-  return c.share > kSettledShare && c.covariance_m2.trace() < kNarrow * kNarrow * slant2;
+  static const double reach = getenv("REACH") ? atof(getenv("REACH")) : 100.0;
+  static const double nar = getenv("NAR") ? atof(getenv("NAR")) : kNarrow;
+  return slant2 < reach * reach && c.covariance_m2.trace() < nar * nar * slant2;
 }
 
 double TagBank::exchange_evidence() const {

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <array>
 #include <cstdint>
 #include <optional>
 #include <vector>
@@ -47,12 +48,12 @@ class TagBank {
 
   struct Candidate {
     Vec2 p_O_m{0.0, 0.0};
-    Eigen::Matrix2d covariance_m2;
-    double share{0.0};  ///< of the weight of all with the wiring as given
+    Eigen::Matrix2d covariance_m2{Eigen::Matrix2d::Zero()};
   };
-  /// The heaviest with the wiring as given. \pre !empty()
-  [[nodiscard]] Candidate best() const;
-  /// One is left of all, and narrow against its distance.
+  /// Mean and covariance of all with the wiring as given. \pre !empty()
+  [[nodiscard]] Candidate place() const;
+  /// They are so near each other, and each so narrow, against their distance, that the place is as good as
+  /// linear.
   [[nodiscard]] bool settled(const Pose2& X_OR) const;
   /// None explains the reads: mean of squared innovations over their variance, of the best, over the last
   /// reads.
@@ -83,7 +84,8 @@ class TagBank {
   void strew(const Pose2& X_OR, bool exchanged, const Eigen::Vector3d& offsets_rad,
              const Eigen::Vector3d& offset_variances);
   void spread();
-  void weigh(Component& component, const UhfRead& read, const Pose2& X_OR, double noise_scale2) const;
+  void weigh(Component& component, const UhfRead& read, const Pose2& X_OR, double noise_scale2,
+             double echo) const;
   [[nodiscard]] Tally tally(bool exchanged) const;
   void prune();
   void join();
@@ -97,6 +99,7 @@ class TagBank {
   Vec2 robot_O_m_{0.0, 0.0};
   double pending_m_{0.0};
   double pending_rad_{0.0};
+  std::array<double, PhaseReaderModel::kMostAntennas> way_since_read_m_{};
   double driven_m_{0.0};
   double misfit_{1.0};
   int reads_{0};

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "robot/phase/estimation/joint_filter.hpp"
 
+#include <Eigen/LU>
 #include <algorithm>
 #include <cassert>
 #include <cmath>
@@ -18,6 +19,11 @@ constexpr int kEcho = 4;                ///< in a tag's states, after place and 
 constexpr double kUnknownPhase2 = 1e4;  ///< variance of a phase of which nothing is known
 /// As share of half a period: a phase predicted worse than this cannot be told from its neighbours.
 constexpr double kAmbiguousShare = 0.4;
+/// Directions are kept within: 29 m away under a ceiling 2.9 m above the antennas.
+constexpr double kRim = 0.995;
+/// A tag's direction is told from a place at most this far from the robot. Chosen: a third of the ceiling's
+/// height.
+constexpr double kAnchored_m = 1.0;
 constexpr double kLightSpeed_mps = 299792458.0;
 
 double squared(double x) {
@@ -155,6 +161,9 @@ double JointFilter::project(const SparseRow& H) {
 void JointFilter::correct(double innovation, double variance) {
   x_.head(n_) += gain_.head(n_) * (innovation / variance);
   x_(2) = wrap_angle(x_(2));
+  for (int j = base_; j < n_; j += per_tag_) {
+    keep_in_disc(j);
+  }
   for (int j = 0; j < n_; ++j) {
     P_.col(j).head(n_) -= gain_.head(n_) * (gain_(j) / variance);
   }
@@ -230,9 +239,9 @@ bool JointFilter::add(const NewTag& tag) {
   Eigen::Matrix2d turn;
   turn << c, -s, s, c;
   // p_M = p + R(yaw) p_R. What is known of the direction alone puts the tag the further the higher it hangs.
-  x_.segment<kEcho>(j) << x_(0) + away_M.x(), x_(1) + away_M.y(), tag.height_m, 0.0;
   P_.block(j, 0, 1, j) = P_.block(0, 0, 1, j) - away_M.y() * P_.block(2, 0, 1, j);
   P_.block(j + 1, 0, 1, j) = P_.block(1, 0, 1, j) + away_M.x() * P_.block(2, 0, 1, j);
+  x_(j + 3) = 0.0;
   P_.block(j + 2, 0, 2, j).setZero();
   P_.block(j + kEcho, 0, echoes_, j).setZero();
   P_.block(0, j, j, per_tag_) = P_.block(j, 0, per_tag_, j).transpose();
@@ -251,6 +260,7 @@ bool JointFilter::add(const NewTag& tag) {
   own(3, 3) = kUnknownPhase2;
   n_ += per_tag_;
   ids_.push_back(tag.id);
+  become_directions(tags() - 1, {x_(0) + away_M.x(), x_(1) + away_M.y(), tag.height_m});
   return true;
 }
 
@@ -260,7 +270,7 @@ bool JointFilter::restore(int id, const Eigen::Vector3d& p_M_m, const Eigen::Mat
     return false;
   }
   const int j = n_;
-  x_.segment<kEcho>(j) << p_M_m, 0.0;
+  x_(j + 3) = 0.0;
   P_.block(j, 0, per_tag_, j).setZero();
   P_.block(0, j, j, per_tag_).setZero();
   begin_echoes(j);
@@ -268,6 +278,7 @@ bool JointFilter::restore(int id, const Eigen::Vector3d& p_M_m, const Eigen::Mat
   P_(j + 3, j + 3) = kUnknownPhase2;
   n_ += per_tag_;
   ids_.push_back(id);
+  become_directions(tags() - 1, p_M_m);
   return true;
 }
 
@@ -283,9 +294,91 @@ void JointFilter::remove(int id) {
     P_.block(0, j, n_, per_tag_) = P_.block(0, k, n_, per_tag_);
     P_.block(j, 0, per_tag_, n_) = P_.block(k, 0, per_tag_, n_);
     ids_[static_cast<std::size_t>(gone)] = ids_.back();
+    anchors_M_m_[static_cast<std::size_t>(gone)] = anchors_M_m_[static_cast<std::size_t>(last)];
   }
   ids_.pop_back();
   n_ -= per_tag_;
+}
+
+Eigen::Vector3d JointFilter::tag_M_m(int id) const {
+  const int s = slot(id);
+  const int j = base_ + per_tag_ * s;
+  const Vec2 u = x_.segment<2>(j);
+  const Vec2 flat = anchors_M_m_[static_cast<std::size_t>(s)] +
+                    (x_(j + 2) - antenna_height_m_) / std::sqrt(1.0 - u.squaredNorm()) * u;
+  return {flat.x(), flat.y(), x_(j + 2)};
+}
+
+Eigen::Matrix3d JointFilter::by_direction(int slot) const {
+  const int j = base_ + per_tag_ * slot;
+  const Vec2 u = x_.segment<2>(j);
+  const double g = 1.0 / std::sqrt(1.0 - u.squaredNorm());
+  Eigen::Matrix3d J = Eigen::Matrix3d::Zero();
+  J.topLeftCorner<2, 2>() =
+      (x_(j + 2) - antenna_height_m_) * (g * Eigen::Matrix2d::Identity() + g * g * g * u * u.transpose());
+  J.topRightCorner<2, 1>() = g * u;
+  J(2, 2) = 1.0;
+  return J;
+}
+
+Eigen::Matrix3d JointFilter::tag_covariance(int id) const {
+  const Eigen::Matrix3d J = by_direction(slot(id));
+  return J * P_.block<3, 3>(state_of(id), state_of(id)) * J.transpose();
+}
+
+double JointFilter::anchor_way_m(int slot) const {
+  const int j = base_ + per_tag_ * slot;
+  return 2.0 * (x_(j + 2) - antenna_height_m_) / std::sqrt(1.0 - x_.segment<2>(j).squaredNorm());
+}
+
+Eigen::Matrix4d JointFilter::by_states(int slot) const {
+  const int j = base_ + per_tag_ * slot;
+  const Vec2 u = x_.segment<2>(j);
+  const double g = 1.0 / std::sqrt(1.0 - u.squaredNorm());
+  const double k = model_.phase_sign * model_.wave_number(0.0);
+  Eigen::Matrix4d J = Eigen::Matrix4d::Identity();
+  J.topLeftCorner<3, 3>() = by_direction(slot);
+  J.block<1, 2>(3, 0) = -2.0 * k * (x_(j + 2) - antenna_height_m_) * g * g * g * u.transpose();
+  J(3, 2) = -2.0 * k * g;
+  return J;
+}
+
+void JointFilter::become_directions(int slot, const Eigen::Vector3d& p_M_m) {
+  const int j = base_ + per_tag_ * slot;
+  const Vec2 away = p_M_m.head<2>() - x_.head<2>();
+  const double above_m = p_M_m.z() - antenna_height_m_;
+  anchors_M_m_[static_cast<std::size_t>(slot)] = x_.head<2>();
+  x_.segment<2>(j) = away / std::sqrt(away.squaredNorm() + above_m * above_m);
+  x_(j + 2) = p_M_m.z();
+  keep_in_disc(j);
+  x_(j + 3) += model_.phase_sign * model_.wave_number(0.0) * anchor_way_m(slot);
+  turn_states(j, by_states(slot).inverse());
+}
+
+void JointFilter::reanchor(int slot) {
+  const Eigen::Vector3d p = tag_M_m(id_in_slot(slot));
+  const int j = base_ + per_tag_ * slot;
+  turn_states(j, by_states(slot));
+  x_(j + 3) -= model_.phase_sign * model_.wave_number(0.0) * anchor_way_m(slot);
+  become_directions(slot, p);
+}
+
+void JointFilter::turn_states(int j, const Eigen::Matrix4d& J) {
+  for (int i = 0; i < n_; ++i) {
+    const Eigen::Vector4d column = P_.block<4, 1>(j, i);
+    P_.block<4, 1>(j, i) = J * column;
+  }
+  for (int i = 0; i < n_; ++i) {
+    const Eigen::RowVector4d row = P_.block<1, 4>(i, j);
+    P_.block<1, 4>(i, j) = row * J.transpose();
+  }
+}
+
+void JointFilter::keep_in_disc(int j) {
+  const double u = x_.segment<2>(j).norm();
+  if (u > kRim) {
+    x_.segment<2>(j) *= kRim / u;
+  }
 }
 
 void JointFilter::forget_phase(int id) {
@@ -300,16 +393,21 @@ PhasePrediction JointFilter::predict(int id, const UhfRead& read, const Pose2& X
   const int j = state_of(id);
   const AntennaMount& mount = model_.antennas[static_cast<std::size_t>(port)];
   const WayLength way =
-      way_length(way_ends(model_, static_cast<std::size_t>(port), X_now_then), pose(), x_.segment<3>(j));
+      way_length(way_ends(model_, static_cast<std::size_t>(port), X_now_then), pose(), tag_M_m(id));
+  const Eigen::Matrix4d by_states = this->by_states(slot(id));
   const double k = model_.phase_sign * model_.wave_number(read.frequency_hz);
   const double hop = k - model_.phase_sign * model_.wave_number(0.0);
   const int cable = kPorts + ports_ + port;
   PhasePrediction p;
   p.slant_m = way.slant_m;
-  p.phase_rad = k * way.length_m + hop * (kLightSpeed_mps * mount.cable_delay_s + x_(cable)) + x_(j + 3);
+  const double centre = k - hop;
+  Eigen::Vector3d by_tag = k * by_states.topLeftCorner<3, 3>().transpose() * way.by_tag;
+  by_tag += by_states.bottomLeftCorner<1, 3>().transpose();
+  p.phase_rad = k * way.length_m - centre * anchor_way_m(slot(id)) +
+                hop * (kLightSpeed_mps * mount.cable_delay_s + x_(cable)) + x_(j + 3);
   for (int i = 0; i < 3; ++i) {
     p.H.add(i, k * way.by_pose(i));
-    p.H.add(j + i, k * way.by_tag(i));
+    p.H.add(j + i, by_tag(i));
   }
   p.H.add(j + 3, 1.0);
   p.H.add(cable, hop);
@@ -331,6 +429,10 @@ PhasePrediction JointFilter::predict(int id, const UhfRead& read, const Pose2& X
 JointFilter::Outcome JointFilter::read(int id, const UhfRead& read, const Pose2& X_now_then,
                                        double noise_scale2, double gate_sigmas) {
   age_echoes();
+  const int s = slot(id);
+  if ((x_.head<2>() - anchors_M_m_[static_cast<std::size_t>(s)]).squaredNorm() > squared(kAnchored_m)) {
+    reanchor(s);
+  }
   const PhasePrediction p = predict(id, read, X_now_then);
   Outcome out;
   out.innovation_rad = model_.wrap(read.phase_rad - p.phase_rad);
@@ -360,9 +462,11 @@ void JointFilter::fix_over(int id, const Vec2& offset_M_m, const Vec2& along_M, 
     SparseRow H;
     H.add(0, n.x());
     H.add(1, n.y());
-    H.add(j, -n.x());
-    H.add(j + 1, -n.y());
-    const Vec2 now = x_.head<2>() - x_.segment<2>(j);
+    const Eigen::Vector3d by_tag = by_direction(slot(id)).transpose() * Eigen::Vector3d{n.x(), n.y(), 0.0};
+    for (int i = 0; i < 3; ++i) {
+      H.add(j + i, -by_tag(i));
+    }
+    const Vec2 now = x_.head<2>() - tag_M_m(id).head<2>();
     const double from_state = project(H);
     correct(n.dot(offset_M_m - now), from_state + squared(along ? along_sigma_m : across_sigma_m));
   }
@@ -386,8 +490,11 @@ double JointFilter::across_sigma_m(const Vec2& n_M, int from, int to, double par
   H.add(1, n_M.y());
   const auto add = [&](int id, double weight) {
     if (id >= 0 && knows(id)) {
-      H.add(state_of(id), -weight * n_M.x());
-      H.add(state_of(id) + 1, -weight * n_M.y());
+      const Eigen::Vector3d by_tag =
+          by_direction(slot(id)).transpose() * Eigen::Vector3d{n_M.x(), n_M.y(), 0.0};
+      for (int i = 0; i < 3; ++i) {
+        H.add(state_of(id) + i, -weight * by_tag(i));
+      }
     }
   };
   add(from, 1.0 - part);

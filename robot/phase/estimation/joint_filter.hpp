@@ -44,10 +44,17 @@ struct PhasePrediction {
 ///
 ///     [ x, y, yaw of R in M; scale, turn scale, curvature of the wheels; compass bias;
 ///       phase offset of ports 2.. against port 1; cable error of every port (metres);
-///       per tag: x, y, z in M, phase offset; echo at the transmitter, at every port ]
+///       per tag: u_x, u_y, z, phase offset; echo at the transmitter, at every port ]
 ///
-/// M is where R stood at the start. Phases of every read, each port by itself (the common mode of the ports
-/// tells a change of range to a millimetre; algorithms study, A.4):
+/// M is where R stood at the start. A tag's place is told by its direction u from an anchor a on the floor,
+/// the horizontal part of the unit vector from the antennas' height above a,
+///
+///     p_M = a + (z - h) u / sqrt(1 - u^2),
+///
+/// because phases are almost linear in u however far the tag, and far from linear in x and y when it is far.
+/// The anchor is where the robot was when the tag was added, and moves on with it (reanchor). Phases of every
+/// read, each port by itself (the common mode of the ports tells a change of range to a millimetre;
+/// algorithms study, A.4):
 ///
 ///     phase = sign (k L + (k - k_0) (c T_port + cable error)) + offset_tag + offset_port + noise
 ///
@@ -110,10 +117,8 @@ class JointFilter {
 
   [[nodiscard]] Pose2 pose() const { return {{x_(0), x_(1)}, x_(2)}; }
   [[nodiscard]] Eigen::Matrix3d pose_covariance() const { return P_.topLeftCorner<3, 3>(); }
-  [[nodiscard]] Eigen::Vector3d tag_M_m(int id) const { return x_.segment<3>(state_of(id)); }
-  [[nodiscard]] Eigen::Matrix3d tag_covariance(int id) const {
-    return P_.block<3, 3>(state_of(id), state_of(id));
-  }
+  [[nodiscard]] Eigen::Vector3d tag_M_m(int id) const;
+  [[nodiscard]] Eigen::Matrix3d tag_covariance(int id) const;
   /// Wheels as learned: what the robot did when the encoders said `step`.
   [[nodiscard]] WheelStep corrected(const WheelStep& step) const;
   /// Offsets of ports 2.. against port 1, and their variances.
@@ -133,6 +138,20 @@ class JointFilter {
   [[nodiscard]] int state_of(int id) const { return base_ + per_tag_ * slot(id); }
   [[nodiscard]] double project(const SparseRow& H);  ///< gain_ = P H'; returns H P H'
   void correct(double innovation, double variance);
+  /// d (x, y, z) / d (u_x, u_y, z) of the tag in a slot.
+  [[nodiscard]] Eigen::Matrix3d by_direction(int slot) const;
+  /// d (x, y, z in M, phase offset) / d (u_x, u_y, z, phase at the anchor).
+  [[nodiscard]] Eigen::Matrix4d by_states(int slot) const;
+  /// Way from the anchor's middle to the tag and back.
+  [[nodiscard]] double anchor_way_m(int slot) const;
+  /// The tag's states are x, y, z in M and its phase offset; from now on they are told from the robot's
+  /// present place.
+  void become_directions(int slot, const Eigen::Vector3d& p_M_m);
+  /// The tag's direction is told from the robot's present place from now on.
+  void reanchor(int slot);
+  /// P <- T P T', T the identity but for J at the four states from j.
+  void turn_states(int j, const Eigen::Matrix4d& J);
+  void keep_in_disc(int j);
   void begin_echoes(int j);
   [[nodiscard]] double echo_variance(int echo) const;
   void age_echoes();
@@ -150,6 +169,8 @@ class JointFilter {
   Eigen::MatrixXd P_;
   Eigen::VectorXd gain_;
   std::vector<int> ids_;
+  std::array<Vec2, kMostTags> anchors_M_m_{};  ///< by slot
+  double antenna_height_m_;
   bool compass_known_{false};
   double way_since_read_m_{0.0};  ///< of an antenna, while echoes were not aged
   double antenna_arm_m_{0.0};     ///< mean distance of the antennas from the robot's middle

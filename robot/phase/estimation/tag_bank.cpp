@@ -11,11 +11,19 @@
 namespace sensotwin::robot {
 namespace {
 
-/// Radii of the rings of components in |u|; the last is 14 m away under a ceiling 2.9 m above the antennas.
-constexpr std::array<double, 9> kRings{0.0, 0.2, 0.4, 0.6, 0.76, 0.87, 0.93, 0.96, 0.979};
+/// The outermost ring of components in |u|: 11 m away under a ceiling 2.9 m above the antennas.
+constexpr double kOuterRing = 0.967;
 /// A component's one sigma in u, in spacings. Chosen: neighbours overlap.
 constexpr double kOverlap = 0.6;
-constexpr double kSpacing = 0.2;  ///< in u. Chosen: a centimetre's way then changes phases by 0.05 rad
+constexpr double kWidestSpacing = 0.2;  ///< in u. Chosen: a centimetre's way then changes phases by 0.05 rad
+/// Spacings narrower where the ports' phases tell u up to several values: one sigma of a component then is
+/// this share of half their period.
+constexpr double kPeriodShare = 0.27;
+/// Directions are kept within: 13 m away under a ceiling 2.9 m above the antennas. Chosen: beyond, a tag is
+/// not steered to.
+constexpr double kRim = 0.976;
+constexpr double kFinestSpacing = 0.1;  ///< chosen: what kMostComponents hold, both wirings
+constexpr double kOutside = 0.96;       ///< a mean direction further out says no more than: far
 /// Lighter ones by this factor (its logarithm) are dropped. Chosen: a millionth.
 constexpr double kDropLog = 14.0;
 /// A read that fits nothing (an outlier) is taken to be this likely.
@@ -25,7 +33,7 @@ constexpr double kGate2 = 25.0;  ///< five sigma squared (algorithms study, A.4)
 constexpr double kAmbiguousShare = 0.4;
 /// Linear enough: one sigma of the place against the slant distance. Chosen: the second-order part of the
 /// direction is then below a hundredth.
-constexpr double kNarrow = 0.05;
+constexpr double kNarrow = 0.15;
 constexpr double kMisfitMemory = 0.05;  ///< mean over about 20 reads (A.4)
 constexpr int kReadsPerJoin = 8;
 constexpr std::size_t kJoinable = 160;  ///< pairs are compared below this many
@@ -40,12 +48,21 @@ TagBank::TagBank(const PhaseReaderModel& model, const WheelModel& wheels)
     : model_(model), wheels_(wheels), states_(2 + static_cast<int>(model.antennas.size())) {
   assert(!model.antennas.empty() && model.antennas.size() <= PhaseReaderModel::kMostAntennas);
   components_.resize(kMostComponents);
+  double base_m = 0.0;
+  for (const AntennaMount& a : model.antennas) {
+    base_m = std::max(base_m, (a.at_R_m - model.antennas.front().at_R_m).norm());
+  }
+  const double by_u = (model.monostatic ? 2.0 : 1.0) * model.wave_number(0.0) * base_m;
+  narrow_u_ = kPeriodShare * model.half_period_rad() / std::max(by_u, 1e-9);
+  spacing_ = std::clamp(narrow_u_ / kOverlap, kFinestSpacing, kWidestSpacing);
 }
 
 void TagBank::begin(const Pose2& X_OR, double height_m, const Eigen::Vector3d& offsets_rad,
                     const Eigen::Vector3d& offset_variances, bool both_wirings) {
   count_ = 0;
   height_m_ = height_m;
+  above_m_ = height_m - model_.antennas.front().at_R_m.z();
+  anchor_O_m_ = X_OR.p_m;
   robot_O_m_ = X_OR.p_m;
   pending_m_ = pending_rad_ = driven_m_ = 0.0;
   misfit_ = 1.0;
@@ -59,27 +76,20 @@ void TagBank::begin(const Pose2& X_OR, double height_m, const Eigen::Vector3d& o
 
 void TagBank::strew(const Pose2& X_OR, bool exchanged, const Eigen::Vector3d& offsets_rad,
                     const Eigen::Vector3d& offset_variances) {
-  const double above_m = height_m_ - model_.antennas.front().at_R_m.z();
-  for (std::size_t ring = 0; ring < kRings.size(); ++ring) {
-    const double u = kRings[ring];
-    const double slant_m = above_m / std::sqrt(1.0 - u * u);
-    const double inner = ring == 0 ? 0.0 : kRings[ring - 1];
-    const double outer = ring + 1 < kRings.size() ? kRings[ring + 1] : 2.0 * u - inner;
-    const double width_m =
-        above_m *
-        (outer / std::sqrt(1.0 - std::min(outer * outer, 0.97)) - inner / std::sqrt(1.0 - inner * inner)) /
-        2.0;
-    const int bearings = std::max(1, static_cast<int>(std::ceil(2.0 * kPi * u / kSpacing)));
+  const int rings = static_cast<int>(std::ceil(kOuterRing / spacing_));
+  for (int ring = 0; ring <= rings; ++ring) {
+    const double u = kOuterRing * ring / rings;
+    const double sigma_away = kOverlap * std::min(spacing_, 1.0 - u);
+    const double sigma_side = kOverlap * spacing_;
+    const int bearings = std::max(1, static_cast<int>(std::ceil(2.0 * kPi * u / spacing_)));
     for (int i = 0; i < bearings && count_ < kMostComponents; ++i) {
       const double bearing = X_OR.yaw_rad + 2.0 * kPi * i / bearings;
       const Vec2 away{std::cos(bearing), std::sin(bearing)};
       const Vec2 side{-away.y(), away.x()};
-      const double sigma_away = kOverlap * (u == 0.0 ? slant_m * kSpacing : width_m);
-      const double sigma_side = kOverlap * slant_m * kSpacing;
       Component& c = components_[count_++];
       c.x = State::Zero(states_);
       c.P = Covariance::Zero(states_, states_);
-      c.x.head<2>() = X_OR.p_m + slant_m * u * away;
+      c.x.head<2>() = u * away;
       c.P.topLeftCorner<2, 2>() = sigma_away * sigma_away * away * away.transpose() +
                                   sigma_side * sigma_side * side * side.transpose();
       c.P(2, 2) = 1e4;  // radians squared: nothing is known of a tag's own phase
@@ -92,6 +102,15 @@ void TagBank::strew(const Pose2& X_OR, bool exchanged, const Eigen::Vector3d& of
       c.exchanged = exchanged;
     }
   }
+}
+
+Vec2 TagBank::place_O_m(const Vec2& u) const {
+  return anchor_O_m_ + above_m_ / std::sqrt(1.0 - u.squaredNorm()) * u;
+}
+
+Eigen::Matrix2d TagBank::by_direction(const Vec2& u) const {
+  const double g = 1.0 / std::sqrt(1.0 - u.squaredNorm());
+  return above_m_ * (g * Eigen::Matrix2d::Identity() + g * g * g * u * u.transpose());
 }
 
 void TagBank::drive(const WheelStep& step, const Pose2& X_OR) {
@@ -120,8 +139,11 @@ void TagBank::spread() {
                           wheels_.turn_sigma_rad * wheels_.turn_sigma_rad * pending_rad_;
   for (std::size_t i = 0; i < count_; ++i) {
     Component& c = components_[i];
-    const Vec2 arm{-(c.x(1) - robot_O_m_.y()), c.x(0) - robot_O_m_.x()};
-    c.P.topLeftCorner<2, 2>() += along2 * Eigen::Matrix2d::Identity() + heading2 * arm * arm.transpose();
+    const Vec2 away = place_O_m(c.x.head<2>()) - robot_O_m_;
+    const Vec2 arm{-away.y(), away.x()};
+    const Eigen::Matrix2d to_u = by_direction(c.x.head<2>()).inverse();
+    c.P.topLeftCorner<2, 2>() +=
+        to_u * (along2 * Eigen::Matrix2d::Identity() + heading2 * arm * arm.transpose()) * to_u.transpose();
   }
   pending_m_ = pending_rad_ = 0.0;
 }
@@ -130,14 +152,19 @@ void TagBank::weigh(Component& c, const UhfRead& read, const Pose2& X_OR, double
                     double echo) const {
   const std::size_t port = read.antenna - 1u;
   const std::size_t antenna = c.exchanged && port < 2 ? 1 - port : port;
-  const WayLength way = way_length(way_ends(model_, antenna, Pose2{}), X_OR, {c.x(0), c.x(1), height_m_});
-  const double k = model_.wave_number(read.frequency_hz);
+  const Vec2 p_O_m = place_O_m(c.x.head<2>());
+  const WayLength way =
+      way_length(way_ends(model_, antenna, Pose2{}), X_OR, {p_O_m.x(), p_O_m.y(), height_m_});
+  const double k = model_.phase_sign * model_.wave_number(read.frequency_hz);
+  const double centre = model_.phase_sign * model_.wave_number(0.0);
   const double cable_m = 299792458.0 * model_.antennas[port].cable_delay_s;
+  // The component's phase is the one expected at the anchor.
+  const double g = 1.0 / std::sqrt(1.0 - c.x.head<2>().squaredNorm());
   State H = State::Zero(states_);
-  H.head<2>() = model_.phase_sign * k * way.by_tag.head<2>();
+  H.head<2>() = k * by_direction(c.x.head<2>()) * way.by_tag.head<2>() -
+                2.0 * centre * above_m_ * g * g * g * c.x.head<2>();
   H(2) = 1.0;
-  double predicted =
-      model_.phase_sign * (k * way.length_m + (k - model_.wave_number(0.0)) * cable_m) + c.x(2);
+  double predicted = k * way.length_m - 2.0 * centre * above_m_ * g + (k - centre) * cable_m + c.x(2);
   if (port > 0) {
     H(2 + static_cast<int>(port)) = 1.0;
     predicted += c.x(2 + static_cast<int>(port));
@@ -170,6 +197,10 @@ void TagBank::weigh(Component& c, const UhfRead& read, const Pose2& X_OR, double
   if (c.last_fit < kGate2) {
     c.x += PH * (innovation / S);
     c.P -= PH * PH.transpose() / S;
+    const double u = c.x.head<2>().norm();
+    if (u > kRim) {
+      c.x.head<2>() *= kRim / u;
+    }
   }
 }
 
@@ -243,18 +274,22 @@ void TagBank::join() {
 }
 
 TagBank::Candidate TagBank::place() const {
+  // The mean is taken of directions, not of places: one component that thinks the tag at the end of the world
+  // then turns the rest by no more than its weight.
   const Tally t = tally(false);
-  Candidate sum;
+  Vec2 u{0.0, 0.0};
+  Eigen::Matrix2d spread = Eigen::Matrix2d::Zero();
   for (std::size_t i = 0; i < count_; ++i) {
     const Component& c = components_[i];
     if (!c.exchanged) {
       const double share = std::exp(c.log_weight - t.best) / t.sum;
-      sum.p_O_m += share * c.x.head<2>();
-      sum.covariance_m2 += share * (c.P.topLeftCorner<2, 2>() + c.x.head<2>() * c.x.head<2>().transpose());
+      u += share * c.x.head<2>();
+      spread += share * (c.P.topLeftCorner<2, 2>() + c.x.head<2>() * c.x.head<2>().transpose());
     }
   }
-  sum.covariance_m2 -= sum.p_O_m * sum.p_O_m.transpose();
-  return sum;
+  spread -= u * u.transpose();
+  const Eigen::Matrix2d J = by_direction(u);
+  return {place_O_m(u), J * spread * J.transpose(), u, spread};
 }
 
 bool TagBank::settled(const Pose2& X_OR) const {
@@ -262,11 +297,9 @@ bool TagBank::settled(const Pose2& X_OR) const {
     return false;
   }
   const Candidate c = place();
-  const double above_m = height_m_ - model_.antennas.front().at_R_m.z();
-  const double slant2 = (c.p_O_m - X_OR.p_m).squaredNorm() + above_m * above_m;
-  static const double reach = getenv("REACH") ? atof(getenv("REACH")) : 100.0;
-  static const double nar = getenv("NAR") ? atof(getenv("NAR")) : kNarrow;
-  return slant2 < reach * reach && c.covariance_m2.trace() < nar * nar * slant2;
+  const double slant2 = (c.p_O_m - X_OR.p_m).squaredNorm() + above_m_ * above_m_;
+  return c.direction.norm() < kOutside && c.direction_covariance.trace() < narrow_u_ * narrow_u_ &&
+         c.covariance_m2.trace() < kNarrow * kNarrow * slant2;
 }
 
 double TagBank::exchange_evidence() const {

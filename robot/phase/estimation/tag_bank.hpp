@@ -20,11 +20,11 @@ namespace sensotwin::robot {
 /// behind, which turn of the phase) is told by the other. So the disc |u| < 1 is strewn with components,
 /// evenly, each a small extended Kalman filter over
 ///
-///     [ x, y in O; phase offset; offsets of ports 2.. against port 1 ]
+///     [ u_x, u_y from where the bank began; phase expected there; offsets of ports 2.. against port 1 ]
 ///
-/// at the ceiling's height. Every read weighs them; the light are dropped, those grown together are joined,
-/// until one is left that is narrow enough to be treated as linear. Errors of dead reckoning over that way
-/// enter as noise of the tag's place.
+/// at the ceiling's height (why these: JointFilter). Every read weighs them; the light are dropped, those
+/// grown together are joined, until one is left that is narrow enough to be treated as linear. Errors of dead
+/// reckoning over that way enter as noise of the tag's place.
 ///
 /// While nobody knows whether the cables of ports 1 and 2 are exchanged, each component has a twin that
 /// believes so: on a straight way it sees a mirrored world that fits as well, in the first turn it does not.
@@ -49,6 +49,8 @@ class TagBank {
   struct Candidate {
     Vec2 p_O_m{0.0, 0.0};
     Eigen::Matrix2d covariance_m2{Eigen::Matrix2d::Zero()};
+    Vec2 direction{0.0, 0.0};  ///< u, in O, from where the bank began
+    Eigen::Matrix2d direction_covariance{Eigen::Matrix2d::Zero()};
   };
   /// Mean and covariance of all with the wiring as given. \pre !empty()
   [[nodiscard]] Candidate place() const;
@@ -83,6 +85,8 @@ class TagBank {
   };
   void strew(const Pose2& X_OR, bool exchanged, const Eigen::Vector3d& offsets_rad,
              const Eigen::Vector3d& offset_variances);
+  [[nodiscard]] Vec2 place_O_m(const Vec2& u) const;
+  [[nodiscard]] Eigen::Matrix2d by_direction(const Vec2& u) const;  ///< d place / d u
   void spread();
   void weigh(Component& component, const UhfRead& read, const Pose2& X_OR, double noise_scale2,
              double echo) const;
@@ -95,7 +99,11 @@ class TagBank {
   int states_;
   std::vector<Component> components_;
   std::size_t count_{0};
+  double spacing_{0.2};   ///< of components, in u
+  double narrow_u_{0.2};  ///< one sigma of u with which no phase is taken for another
   double height_m_{3.0};
+  double above_m_{2.9};  ///< the antennas
+  Vec2 anchor_O_m_{0.0, 0.0};
   Vec2 robot_O_m_{0.0, 0.0};
   double pending_m_{0.0};
   double pending_rad_{0.0};

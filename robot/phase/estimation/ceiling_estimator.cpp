@@ -20,10 +20,15 @@ constexpr double kNoiseClip = 25.0;
 /// The wiring is judged when the reads are this much likelier one way (natural logarithm). Chosen: five reads
 /// that fit nothing at all do not decide.
 constexpr double kWiringEvidence = 25.0;
+/// A tag whose place is not certain yet and runs off beyond this is sought anew. Chosen: beyond a bank's
+/// reach.
+constexpr double kFarthest_m = 14.0;
+/// Certain: one sigma of its place.
+constexpr double kCertain_m = 0.3;
 constexpr double kBankMisfit = 5.0;  ///< a bank that explains its reads this badly is begun anew
 constexpr double kBankWay_m = 6.0;   ///< and one that has not settled after this way. Chosen: two ceilings
 /// A bank's covariance times this when its tag joins the filter: both have used the same odometry. Chosen.
-constexpr double kPromotedInflation = 2.0;
+constexpr double kPromotedInflation = 6.0;
 constexpr double kMoved_m = 0.15;  ///< found this far from where it was, and beyond four sigma: moved
 
 Pose2 between(const Pose2& X_OA, const Pose2& X_OB) {
@@ -162,6 +167,7 @@ void CeilingEstimator::promote(int id) {
                .height_m = listed_[static_cast<std::size_t>(id)].height_m,
                .height_sigma_m = config_.height_sigma_m});
   tag.misfit = 1.0;
+  tag.certain = false;
   tag.rejected_in_a_row = 0;
   tag.has_innovation.fill(false);
   say(EstimatorEventKind::kTagFound, id);
@@ -187,10 +193,14 @@ void CeilingEstimator::track(int id, const UhfRead& read, const Pose2& X_now_the
     return;
   }
   learn_noise(tag, port, outcome);
+  tag.certain =
+      tag.certain || filter_.tag_covariance(id).topLeftCorner<2, 2>().trace() < kCertain_m * kCertain_m;
   const double fit = outcome.innovation_rad * outcome.innovation_rad / outcome.variance;
   tag.misfit += kMisfitMemory * (std::min(fit, kNoiseClip) - tag.misfit);
   tag.rejected_in_a_row = outcome.fate == JointFilter::Fate::kRejected ? tag.rejected_in_a_row + 1 : 0;
-  if (tag.misfit > config_.misfit_limit || tag.rejected_in_a_row > kRejectedInARow) {
+  const bool gone = (filter_.tag_M_m(id).head<2>() - pose().p_m).norm() > kFarthest_m;
+  if (tag.misfit > config_.misfit_limit || tag.rejected_in_a_row > kRejectedInARow ||
+      (gone && !tag.certain)) {
     drop(id);
   }
 }

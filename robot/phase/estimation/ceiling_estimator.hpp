@@ -113,6 +113,7 @@ class CeilingEstimator {
     std::optional<Instant> heard;
     std::array<double, PhaseReaderModel::kMostAntennas> last_innovation{};
     std::array<bool, PhaseReaderModel::kMostAntennas> has_innovation{};
+    bool certain{false};  ///< its place was once known well
     bool was_known{false};
     Eigen::Vector3d last_M_m{0.0, 0.0, 0.0};
     Eigen::Matrix3d last_covariance{Eigen::Matrix3d::Zero()};

@@ -8,7 +8,7 @@
 namespace sensotwin::robot {
 namespace {
 
-/// A sought tag is steered to when its place is known this well against its distance, or a metre.
+/// A tag is steered to when its place is known this well against its distance, or a metre.
 constexpr double kSteerable = 0.5;
 /// Two tags nearer than this make no leg.
 constexpr double kShortest_m = 0.02;
@@ -18,11 +18,9 @@ constexpr std::size_t kMostCirclePoints = 16;
 
 std::optional<Vec2> CeilingMission::place_of(int tag) const {
   const TagEstimate estimate = estimator_.tag(tag);
-  const bool known =
-      estimate.knowledge == TagKnowledge::kTracked || estimate.knowledge == TagKnowledge::kKept;
   const double away_m = std::max(1.0, (estimate.p_M_m - estimator_.pose().p_m).norm());
-  if (known || (estimate.knowledge == TagKnowledge::kSought &&
-                std::sqrt(estimate.covariance_m2.trace()) < kSteerable * away_m)) {
+  if (estimate.knowledge != TagKnowledge::kUnheard &&
+      std::sqrt(estimate.covariance_m2.trace()) < kSteerable * away_m) {
     return estimate.p_M_m;
   }
   return std::nullopt;

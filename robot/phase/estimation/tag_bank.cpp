@@ -33,7 +33,7 @@ constexpr double kGate2 = 25.0;  ///< five sigma squared (algorithms study, A.4)
 constexpr double kAmbiguousShare = 0.4;
 /// Linear enough: one sigma of the place against the slant distance. Chosen: the second-order part of the
 /// direction is then below a hundredth.
-constexpr double kNarrow = 0.15;
+constexpr double kNarrow = 0.1;
 constexpr double kMisfitMemory = 0.05;  ///< mean over about 20 reads (A.4)
 constexpr int kReadsPerJoin = 8;
 constexpr std::size_t kJoinable = 160;  ///< pairs are compared below this many

@@ -1,0 +1,219 @@
+// SPDX-License-Identifier: MIT
+#include <algorithm>
+#include <cmath>
+
+#include "robot/phase/estimation/ceiling_mission.hpp"
+
+namespace sensotwin::robot {
+namespace {
+
+constexpr double kSearching_radps = 1.0;
+/// A search: once round on the spot, then once round a circle of this radius. Chosen: another quarter
+/// wavelength of echoes at every step, within reach of any hallway.
+constexpr double kSearchRadius_m = 0.3;
+constexpr double kSearching_mps = 0.1;
+
+}  // namespace
+
+const char* say(CeilingEventKind kind) {
+  switch (kind) {
+    case CeilingEventKind::kTagFound:
+      return "a tag's place is known";
+    case CeilingEventKind::kTagReached:
+      return "reached a tag";
+    case CeilingEventKind::kTagMissing:
+      return "the next tag is not heard";
+    case CeilingEventKind::kTagSilent:
+      return "the next tag is silent and driven to by its estimate";
+    case CeilingEventKind::kTagSkipped:
+      return "skipped a tag";
+    case CeilingEventKind::kTagLost:
+      return "a tag's reads do not fit its place any more";
+    case CeilingEventKind::kTagMoved:
+      return "a tag was moved";
+    case CeilingEventKind::kOrderDoubtful:
+      return "two tags of the list seem exchanged";
+    case CeilingEventKind::kOrderExchanged:
+      return "goes on with the two exchanged";
+    case CeilingEventKind::kReaderSilent:
+      return "the reader is silent";
+    case CeilingEventKind::kReaderBack:
+      return "the reader is heard again";
+    case CeilingEventKind::kCablesSwapped:
+      return "the antenna cables are swapped, left for right";
+    case CeilingEventKind::kBump:
+      return "bumped into something";
+    case CeilingEventKind::kSearching:
+      return "searches for the next tag";
+    case CeilingEventKind::kOffPath:
+      return "is too far from the path, or does not know it well enough";
+    case CeilingEventKind::kStopped:
+      return "stopped for good";
+    case CeilingEventKind::kArrived:
+      return "arrived";
+  }
+  return "";
+}
+
+void CeilingMission::hear_estimator() {
+  for (const EstimatorEvent& event : estimator_.events()) {
+    switch (event.kind) {
+      case EstimatorEventKind::kTagFound:
+        note(CeilingEventKind::kTagFound, event.tag);
+        break;
+      case EstimatorEventKind::kTagLost:
+        note(CeilingEventKind::kTagLost, event.tag);
+        break;
+      case EstimatorEventKind::kTagMoved:
+        note(CeilingEventKind::kTagMoved, event.tag, event.distance_m);
+        break;
+      case EstimatorEventKind::kCablesSwapped:
+        note(CeilingEventKind::kCablesSwapped);
+        break;
+      case EstimatorEventKind::kWiringAsGiven:
+        break;
+    }
+  }
+  estimator_.forget_events();
+}
+
+void CeilingMission::watch_reader(const PhaseSensed& sensed) {
+  const Instant last = estimator_.heard().value_or(leg_since_);
+  const bool silent = !sensed.reader_up || to_s(now_ - last) > config_.faults.silent_after_s;
+  if (silent && !reader_silent_) {
+    silent_since_ = last;
+    blind_m_ = 0.0;
+    note(CeilingEventKind::kReaderSilent);
+  }
+  if (!silent && reader_silent_) {
+    note(CeilingEventKind::kReaderBack, std::nullopt, to_s(now_ - silent_since_));
+    leg_since_ = now_;
+    if (mode_ == CeilingMode::kWaiting) {
+      mode_ = CeilingMode::kDriving;
+    }
+  }
+  reader_silent_ = silent;
+  if (!silent) {
+    return;
+  }
+  blind_m_ += std::abs(step_m_);
+  if (blind_m_ > config_.faults.blind_way_m && mode_ != CeilingMode::kBackingOff) {
+    mode_ = CeilingMode::kWaiting;
+  }
+  if (to_s(now_ - silent_since_) > config_.faults.give_up_s) {
+    finish(false);
+  }
+}
+
+void CeilingMission::watch_destination() {
+  if (reader_silent_ || mode_ == CeilingMode::kFinished || mode_ == CeilingMode::kSearching) {
+    return;
+  }
+  const std::size_t index = config_.path == TagPathKind::kCircleAbout ? 0 : leg_;
+  const TagEstimate destination = estimator_.tag(route_[index]);
+  const Instant since = destination.heard ? std::max(*destination.heard, leg_since_) : leg_since_;
+  if (to_s(now_ - since) < config_.faults.missing_after_s) {
+    if (destination.heard && *destination.heard == since) {
+      silent_said_ = false;
+    }
+    return;
+  }
+  const bool known =
+      destination.knowledge == TagKnowledge::kTracked || destination.knowledge == TagKnowledge::kKept;
+  if (!silent_said_) {
+    silent_said_ = true;
+    note(known ? CeilingEventKind::kTagSilent : CeilingEventKind::kTagMissing, route_[index]);
+  }
+  if (!known) {
+    lose_tag(config_.faults.on_missing);
+  }
+}
+
+void CeilingMission::lose_tag(OnTagFault action) {
+  switch (action) {
+    case OnTagFault::kSearch:
+      note(CeilingEventKind::kSearching, route_[leg_]);
+      mode_ = CeilingMode::kSearching;
+      searched_rad_ = 0.0;
+      break;
+    case OnTagFault::kSkip:
+      skip();
+      break;
+    case OnTagFault::kStop:
+      finish(false);
+      break;
+  }
+}
+
+void CeilingMission::skip() {
+  note(CeilingEventKind::kTagSkipped, route_[leg_]);
+  ++skipped_;
+  if (is_last()) {
+    // The end of the path is not to be had.
+    finish(false);
+    return;
+  }
+  begin_leg(leg_ + 1);
+  mode_ = config_.follower.stop_at_corners ? CeilingMode::kTurning : CeilingMode::kDriving;
+}
+
+WheelSpeeds CeilingMission::search() {
+  const TagEstimate destination = estimator_.tag(route_[leg_]);
+  if (destination.heard && to_s(now_ - *destination.heard) < 1.0) {
+    mode_ = CeilingMode::kDriving;
+    leg_since_ = now_;
+    silent_said_ = false;
+    return drive();
+  }
+  searched_rad_ += std::abs(step_rad_);
+  if (searched_rad_ < 2.0 * kPi) {
+    return wheels_for(config_.follower, 0.0, kSearching_radps);
+  }
+  if (searched_rad_ < 4.0 * kPi) {
+    return wheels_for(config_.follower, kSearching_mps, kSearching_mps / kSearchRadius_m);
+  }
+  skip();
+  return {};
+}
+
+void CeilingMission::watch_order() {
+  if (config_.faults.order_factor <= 0.0 || order_judged_ || !from_ || leg_ + 1 >= route_.size()) {
+    return;
+  }
+  const auto i = static_cast<std::ptrdiff_t>(leg_);
+  const std::optional<Vec2> here = place_of(route_[*from_]);
+  const std::optional<Vec2> next = place(i);
+  const std::optional<Vec2> after = place(i + 1);
+  if (!here || !next || !after || route_[leg_ + 1] == route_[*from_]) {
+    return;
+  }
+  order_judged_ = true;
+  if ((*next - *here).norm() < config_.faults.order_factor * (*after - *here).norm()) {
+    return;
+  }
+  note(CeilingEventKind::kOrderDoubtful, route_[leg_]);
+  if (config_.faults.on_order == OnTagFault::kStop) {
+    finish(false);
+  } else if (config_.faults.on_order == OnTagFault::kSkip) {
+    std::swap(route_[leg_], route_[leg_ + 1]);
+    std::swap(config_.route[leg_], config_.route[leg_ + 1]);
+    note(CeilingEventKind::kOrderExchanged, route_[leg_]);
+    attend();
+  }
+}
+
+void CeilingMission::watch_corridor() {
+  if (!config_.faults.corridor_half_width_m || leg_ == 0 || mode_ == CeilingMode::kFinished) {
+    return;
+  }
+  const CeilingStatus s = status();
+  if (!s.path) {
+    return;
+  }
+  if (std::abs(s.path->across_m) > *config_.faults.corridor_half_width_m) {
+    note(CeilingEventKind::kOffPath, std::nullopt, s.path->across_m);
+    finish(false);
+  }
+}
+
+}  // namespace sensotwin::robot

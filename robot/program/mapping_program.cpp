@@ -14,6 +14,7 @@ MappingProgram::MappingProgram(const MappingLinks& links, const MappingProgramCo
       floor_reader_(links.floor_reader, config.reader),
       forward_reader_(links.forward_reader, config.reader),
       compass_(links.sensors),
+      mode_keeper_(config.base.mode),
       mission_(config.mapping, std::move(explorer)) {}
 
 void MappingProgram::step(Instant now) {
@@ -26,7 +27,9 @@ void MappingProgram::step(Instant now) {
   if (base_.fresh() != nullptr) {
     state_ = *base_.fresh();
   }
-  keep_ready();
+  if (state_) {
+    mode_keeper_.step(base_, *state_);
+  }
   if (const RoombaState* state = base_.fresh()) {
     sense(*state);
     obey(mission_.step(std::exchange(sensed_, Sensed{})));
@@ -64,28 +67,6 @@ void MappingProgram::gather_objects() {
     }
     known_objects_.push_back(read->uid);
     objects_.push_back({read->stamp, read->uid, *record, mission_.navigator().pose()});
-  }
-}
-
-void MappingProgram::keep_ready() {
-  if (!state_) {
-    return;
-  }
-  // A hole or a lifted wheel makes the robot leave safe mode. It is armed again as soon as nothing forbids
-  // it, and the mission backs away from what it was. Off a home base only full mode drives.
-  const bool docked =
-      state_->charging != oi::ChargingState::kNotCharging ||
-      (state_->extended && (state_->extended->on_home_base || state_->extended->on_internal_charger));
-  const bool lifted = state_->wheel_drop_left || state_->wheel_drop_right;
-  const bool waiting = base_.status() == RoombaStatus::kModeLost || base_.status() == RoombaStatus::kStarting;
-  if (docked && waiting && !undocking_) {
-    undocking_ = true;
-    base_.rearm(oi::Mode::kFull);
-  } else if (base_.status() == RoombaStatus::kModeLost && !lifted) {
-    base_.rearm();
-  } else if (undocking_ && !docked) {
-    undocking_ = false;
-    base_.rearm(config_.base.mode);
   }
 }
 

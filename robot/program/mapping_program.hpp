@@ -13,6 +13,7 @@
 #include "robot/hal/byte_link.hpp"
 #include "robot/hal/card_link.hpp"
 #include "robot/mapping/mapping_mission.hpp"
+#include "robot/program/mode_keeper.hpp"
 #include "robot/wire/tag_record.hpp"
 
 namespace sensotwin::robot {
@@ -70,19 +71,18 @@ class MappingProgram {
   void gather_objects();
   void sense(const RoombaState& state);
   void obey(const Command& command);
-  void keep_ready();
 
   MappingProgramConfig config_;
   Roomba base_;
   TagReader floor_reader_;
   TagReader forward_reader_;
   Compass compass_;
+  ModeKeeper mode_keeper_;
   MappingMission mission_;
   Sensed sensed_;
   std::optional<EncoderCounts> last_counts_;
   std::optional<RoombaState> state_;
   Instant compass_stamp_;
-  bool undocking_{false};  ///< in full mode, only as long as the home base's contacts are touched
   WheelSpeeds wheels_;
   std::vector<ObjectSeen> objects_;
   std::vector<TagUid> known_objects_;

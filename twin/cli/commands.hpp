@@ -30,6 +30,7 @@ struct RunOptions {
   bool force{false};
   int trace_every{7};  ///< ticks from row to row of trace.csv. Chosen: 0.1 s, a row every 3 cm at 0.3 m/s
   bool pictures{true};
+  std::optional<std::filesystem::path> tag_log{};
 };
 [[nodiscard]] Command make_run_command(Deed<RunOptions> deed);
 

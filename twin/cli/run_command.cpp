@@ -14,6 +14,7 @@ Command make_run_command(Deed<RunOptions> deed) {
       .examples =
           "twin run scenes/house.yaml\n"
           "twin run scenes/house.yaml --seed 8 --set mission.map.explorer=dfm --out runs/dfm\n"
+          "twin run scenes/hallway.yaml --tag-log hallway.csv\n"
           "twin run scenes/house.yaml --json | jq .verdict",
       .set_up =
           [options](CLI::App& app) {
@@ -24,6 +25,10 @@ Command make_run_command(Deed<RunOptions> deed) {
                            "Ticks of 15 ms from row to row of trace.csv")
                 ->option_text("N")
                 ->check(CLI::Range(1, 1'000'000));
+            app.add_option_function<std::string>(
+                   "--tag-log", [options](const std::string& file) { options->tag_log = file; },
+                   "Write what the UHF reader reports, as sllurp does (CSV)")
+                ->option_text("FILE");
             app.add_flag_callback(
                 "--no-pictures", [options] { options->pictures = false; }, "Leave pictures and charts out");
           },

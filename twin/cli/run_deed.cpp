@@ -7,7 +7,7 @@
 #include "twin/cli/deeds.hpp"
 #include "twin/output/signals.hpp"
 #include "twin/output/summary.hpp"
-#include "twin/run/mapping_run.hpp"
+#include "twin/run/scene_run.hpp"
 
 namespace sensotwin::twin {
 namespace {
@@ -53,20 +53,24 @@ ExitCode exit_code_of(const Summary& summary) {
 ExitCode run_deed(const RunOptions& options, Context& context) {
   const Scene scene = scene_of(options.choice);
   check_expectations(scene);
+  if (options.tag_log && !scene.mission.phase) {
+    throw CommandError(ExitCode::kUsage, "--tag-log needs a scene with mission.phase: no UHF reader runs here");
+  }
   const auto path = options.out.value_or(default_run_folder(options.choice.scene, scene.seed, context.utc()));
   RunFolder folder(path, options.force ? Existing::kReplace : Existing::kRefuse);
-  const auto total = static_cast<double>(scene.world.carpet.tiles.size());
-  Progress progress(context.talk, context.progress, scene.name, "tiles");
+  const double total = progress_total_of(scene);
+  Progress progress(context.talk, context.progress, scene.name, progress_unit_of(scene));
   const double begun = context.wall_s();
   ProgressState state{.done = 0.0, .total = total, .wall_s = 0.0, .note = {}};
   std::string note;
-  const MappingRunOptions run{
+  const SceneRunOptions run{
       .scene_as_given = options.choice.scene.string(),
       .trace_every = options.trace_every,
       .pictures = options.pictures,
+      .tag_log = options.tag_log,
       .keep_going =
           [&](const RunProgress& now) {
-            state.done = now.tiles_found;
+            state.done = now.done;
             state.wall_s = context.wall_s() - begun;
             note = fmt::format("{:.0f} min, {:.0f} x real time", now.sim_s / 60.0,
                                now.sim_s / std::max(state.wall_s, 1e-3));
@@ -78,7 +82,7 @@ ExitCode run_deed(const RunOptions& options, Context& context) {
           },
       .wall_s = context.wall_s,
   };
-  const Summary summary = run_mapping(scene, folder, run);
+  const Summary summary = run_scene(scene, folder, run);
   if (context.verbosity != Verbosity::kQuiet) {
     progress.finish(state);
   }

@@ -39,6 +39,24 @@ constexpr std::array<Figure<MapResult>, 16> kMapFigures{{
     {"moves_recovered", &MapResult::moves_recovered},
 }};
 
+constexpr std::array<Figure<PathResult>, 15> kPathFigures{{
+    {"rmse_m", &PathResult::rmse_m},
+    {"rmse_second_half_m", &PathResult::rmse_second_half_m},
+    {"error_min_m", &PathResult::error_min_m},
+    {"error_max_m", &PathResult::error_max_m},
+    {"off_path_max_m", &PathResult::off_path_max_m},
+    {"arrived", &PathResult::arrived},
+    {"tags_reached", &PathResult::tags_reached},
+    {"tags_skipped", &PathResult::tags_skipped},
+    {"minutes", &PathResult::minutes},
+    {"time_to_first_s", &PathResult::time_to_first_s},
+    {"metres", &PathResult::metres},
+    {"end_error_m", &PathResult::end_error_m},
+    {"wall_contacts", &PathResult::wall_contacts},
+    {"uhf_reads", &PathResult::uhf_reads},
+    {"uhf_faults", &PathResult::uhf_faults},
+}};
+
 constexpr std::array<Figure<LinkHealth>, 9> kLinkFigures{{
     {"roomba_frames", &LinkHealth::roomba_frames},
     {"roomba_frames_corrupt", &LinkHealth::roomba_frames_corrupt},
@@ -113,12 +131,16 @@ Figures figures_of(const Summary& summary) {
   if (summary.map) {
     put_figures(figures, *summary.map, kMapFigures);
   }
+  if (summary.path) {
+    put_figures(figures, *summary.path, kPathFigures);
+  }
   return figures;
 }
 
 std::vector<std::string> figure_names() {
   Summary every_section;
   every_section.map.emplace();
+  every_section.path.emplace();
   std::vector<std::string> names;
   for (const auto& [name, value] : figures_of(every_section)) {
     names.push_back(name);
@@ -170,6 +192,10 @@ std::string to_json(const Summary& summary) {
   if (summary.map) {
     json["map"]["explorer"] = summary.map->explorer;
     put_figures(json["map"], *summary.map, kMapFigures);
+  }
+  if (summary.path) {
+    json["path"]["controller"] = summary.path->controller;
+    put_figures(json["path"], *summary.path, kPathFigures);
   }
   put_figures(json["links"], summary.links, kLinkFigures);
   return text_of(json);

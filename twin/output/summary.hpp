@@ -31,6 +31,29 @@ struct MapResult {
   int moves_recovered{0};  ///< of these, found by local search
 };
 
+/// What a mission along ceiling tags came to. Errors are of the truth against the ideal path, counted by the
+/// twin, outside robot/: signed perpendicular distance to the line of the present leg, left of travel
+/// positive; of curves, the distance to the nearest point. Counted are the legs that begin at a tag, not the
+/// way to the first (Gueaieb & Miah, section V), once each tick.
+struct PathResult {
+  std::string controller{};
+  double rmse_m{0.0};              ///< Gueaieb & Miah, equation 4
+  double rmse_second_half_m{0.0};  ///< of the second half of the legs: later laps
+  double error_min_m{0.0};
+  double error_max_m{0.0};
+  double off_path_max_m{0.0};  ///< farthest from the nearest point of the whole path, on the legs counted
+  int arrived{0};              ///< 1: the mission says that it is at the last tag
+  int tags_reached{0};         ///< destinations
+  int tags_skipped{0};
+  double minutes{0.0};          ///< simulated, to the end
+  double time_to_first_s{0.0};  ///< until the first destination; to the end when it was never reached
+  double metres{0.0};           ///< driven, in truth
+  double end_error_m{0.0};      ///< at the end, from the last destination's projection
+  int wall_contacts{0};
+  std::int64_t uhf_reads{0};  ///< as the driver gave them
+  std::int64_t uhf_faults{0};
+};
+
 /// Health of the wires, counted by the drivers on the robot's side.
 struct LinkHealth {
   std::int64_t roomba_frames{0};
@@ -65,6 +88,7 @@ struct Summary {
   std::string state_hash;  ///< StateHash::text()
   double sim_s{0.0};
   std::optional<MapResult> map;
+  std::optional<PathResult> path;
   LinkHealth links;
 };
 

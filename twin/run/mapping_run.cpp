@@ -9,47 +9,11 @@
 #include "twin/run/recovered_map.hpp"
 #include "twin/run/run_pictures.hpp"
 #include "twin/run/run_recorder.hpp"
+#include "twin/run/tick_loop.hpp"
 #include "world/free_space.hpp"
 
 namespace sensotwin::twin {
 namespace {
-
-/// Ticks between two looks at the outside. Chosen: 15 s of the twin, some ten milliseconds of ours.
-constexpr int kAskEvery = 1000;
-/// One tick in so many is timed part by part; a clock costs as much as a light tick does.
-constexpr int kTimeEvery = 64;
-
-/// Times the parts of a few ticks and scales to the whole.
-class TickTimer {
- public:
-  explicit TickTimer(const std::function<double()>& wall_s) : wall_s_(wall_s) {}
-  void tick(MappingTwin& twin, RunRecorder& recorder) {
-    if (!wall_s_ || count_++ % kTimeEvery != 0) {
-      twin.tick();
-      recorder.record(twin);
-      return;
-    }
-    const double begun = wall_s_();
-    twin.tick_world();
-    const double world_done = wall_s_();
-    twin.tick_devices();
-    const double devices_done = wall_s_();
-    twin.tick_program();
-    const double program_done = wall_s_();
-    recorder.record(twin);
-    const double recorded = wall_s_();
-    parts_.physics_s += kTimeEvery * (world_done - begun);
-    parts_.devices_s += kTimeEvery * (devices_done - world_done);
-    parts_.controller_s += kTimeEvery * (program_done - devices_done);
-    parts_.log_s += kTimeEvery * (recorded - program_done);
-  }
-  [[nodiscard]] Timing parts() const { return parts_; }
-
- private:
-  const std::function<double()>& wall_s_;
-  long count_{0};
-  Timing parts_;
-};
 
 /// The tiles that this explorer is there to map.
 const std::set<std::pair<int, int>>& promised_by(const Scene& scene, const world::ReachableTiles& truth) {
@@ -97,42 +61,21 @@ LinkHealth links_of(const robot::MappingProgram& program) {
   return links;
 }
 
-/// \returns true when the mission ended by itself or by the time limit, false when it was told to stop
-bool loop(const Scene& scene, MappingTwin& twin, RunRecorder& recorder, TickTimer& timer,
-          const std::function<bool()>& may_go_on) {
-  const robot::Instant limit{robot::from_s(scene.limits.time_limit_s)};
-  for (int tick = 0; !twin.done() && twin.now() < limit; ++tick) {
-    timer.tick(twin, recorder);
-    if (tick % kAskEvery == 0 && !may_go_on()) {
-      return false;
-    }
-  }
-  return true;
-}
-
 }  // namespace
 
-std::vector<FigureLimits> limits_of(const Scene& scene) {
-  std::vector<FigureLimits> limits;
-  for (const Expectation& expectation : scene.expect) {
-    limits.push_back({expectation.name, expectation.min, expectation.max});
-  }
-  return limits;
-}
-
-Summary run_mapping(const Scene& scene, RunFolder& folder, const MappingRunOptions& options) {
+Summary run_mapping(const Scene& scene, RunFolder& folder, const SceneRunOptions& options) {
   const double begun = options.wall_s ? options.wall_s() : 0.0;
   MappingTwin twin(scene);
   RunRecorder recorder(folder, options.trace_every);
-  TickTimer timer(options.wall_s);
+  TickLoop loop(options.wall_s);
   const auto may_go_on = [&] {
-    return !options.keep_going ||
-           options.keep_going({.sim_s = robot::to_s(twin.now()),
-                               .tiles_found = static_cast<int>(recorder.found().size()),
-                               .tiles_total = static_cast<int>(scene.world.carpet.tiles.size())});
+    return !options.keep_going || options.keep_going({.sim_s = robot::to_s(twin.now()),
+                                                      .done = static_cast<int>(recorder.found().size()),
+                                                      .total = progress_total_of(scene)});
   };
+  const robot::Instant limit{robot::from_s(scene.limits.time_limit_s)};
   Summary summary;
-  summary.interrupted = !loop(scene, twin, recorder, timer, may_go_on);
+  summary.interrupted = !loop.run(twin, recorder, limit, may_go_on);
   recorder.finish();
   const double looped = options.wall_s ? options.wall_s() : 0.0;
 
@@ -161,7 +104,7 @@ Summary run_mapping(const Scene& scene, RunFolder& folder, const MappingRunOptio
   }
   folder.write("summary.json", to_json(summary));
   if (options.wall_s) {
-    Timing timing = timer.parts();
+    Timing timing = loop.parts();
     timing.sim_s = summary.sim_s;
     timing.wall_s = looped - begun;
     timing.render_s = options.wall_s() - looped;

@@ -6,25 +6,6 @@
 namespace sensotwin::twin {
 namespace {
 
-EmulatedRoombaConfig mainboard_of(const Scene& scene) {
-  EmulatedRoombaConfig config;
-  config.body = scene.robot.base;
-  switch (scene.robot.base.firmware) {
-    case world::RoombaFirmware::kCurrent:
-      break;
-    case world::RoombaFirmware::kBefore341:
-      config.firmware = {3, 4, 0};
-      break;
-    case world::RoombaFirmware::kBefore330:
-      config.firmware = {3, 2, 0};
-      break;
-    case world::RoombaFirmware::kWifi:
-      config.mode_one_too_high = true;
-      break;
-  }
-  return config;
-}
-
 robot::MoveCost move_cost_of(const MapMission& mission, double tile_m) {
   if (mission.pace.tile_s > 0.0) {
     return {.tile_s = mission.pace.tile_s, .quarter_turn_s = 0.0};
@@ -58,26 +39,20 @@ robot::MappingProgramConfig mapping_config_of(const Scene& scene, std::uint32_t 
   config.mapping.body_radius_m = scene.robot.base.radius_m;
   config.mapping.light_bumper.shell_radius_m = scene.robot.base.radius_m;
   config.mapping.read_radius_m = scene.robot.floor_reader.read_radius_m;
-  if (scene.robot.base.firmware == world::RoombaFirmware::kWifi) {
-    config.base.mode_report_offset = 1;
-  }
+  config.base = base_config_of(scene);
   return config;
 }
 
 MappingTwin::MappingTwin(const Scene& scene, const Rewiring& rewire)
     : random_(scene.seed),
       map_id_(static_cast<std::uint32_t>(random_.fork("map id").seed())),
-      world_(scene.world, scene.robot, scene.physics, random_.fork("world")),
-      inputs_(world_.roomba_inputs()),
-      roomba_(mainboard_of(scene)),
-      serial_(roomba_),
-      floor_reader_(card_reader_settings(scene.robot.floor_reader), random_.fork("floor reader")),
+      machine_(scene, random_),
       forward_reader_(card_reader_settings(scene.robot.forward_reader), random_.fork("forward reader")),
-      compass_(scene.robot.compass),
-      program_(rewired({serial_, floor_reader_, forward_reader_, compass_}, rewire),
-               mapping_config_of(scene, map_id_),
-               robot::make_explorer(scene.mission.map->explorer,
-                                    move_cost_of(*scene.mission.map, scene.world.carpet.tile_m))) {}
+      program_(
+          rewired({machine_.serial(), machine_.floor_reader(), forward_reader_, machine_.compass()}, rewire),
+          mapping_config_of(scene, map_id_),
+          robot::make_explorer(scene.mission.map->explorer,
+                               move_cost_of(*scene.mission.map, scene.world.carpet.tile_m))) {}
 
 void MappingTwin::tick() {
   tick_world();
@@ -86,26 +61,18 @@ void MappingTwin::tick() {
 }
 
 void MappingTwin::tick_world() {
-  now_ += robot::kTick;
-  world_.tick(outputs_);
+  machine_.tick_world();
 }
 
 void MappingTwin::tick_devices() {
-  inputs_ = world_.roomba_inputs();
-  outputs_ = roomba_.tick(inputs_);
-  const auto floor_tag = world_.floor_tag();
-  floor_reader_.step(now_, floor_tag ? &world_.tag_memory(*floor_tag) : nullptr);
-  const auto forward_tag = world_.forward_tag();
-  forward_reader_.step(now_, forward_tag ? &world_.tag_memory(*forward_tag) : nullptr);
-  if (compass_.is_due(now_)) {
-    // The world's compass counts clockwise, as a compass card does.
-    compass_.step(now_, -world_.compass_heading_rad());
-  }
+  machine_.tick_devices();
+  const auto forward_tag = world().forward_tag();
+  forward_reader_.step(now(), forward_tag ? &world().tag_memory(*forward_tag) : nullptr);
 }
 
 void MappingTwin::tick_program() {
-  program_.step(now_);
-  hash_.add(world_.state_hash());
+  program_.step(now());
+  machine_.close_tick();
 }
 
 }  // namespace sensotwin::twin

@@ -9,11 +9,8 @@
 #include "robot/base/time.hpp"
 #include "robot/program/mapping_program.hpp"
 #include "twin/devices/emulated_card_reader.hpp"
-#include "twin/devices/emulated_compass_board.hpp"
-#include "twin/devices/emulated_roomba.hpp"
-#include "twin/output/state_hash.hpp"
+#include "twin/run/machine.hpp"
 #include "twin/scene/scene.hpp"
-#include "world/world.hpp"
 
 namespace sensotwin::twin {
 
@@ -36,16 +33,16 @@ class MappingTwin {
   /// World, then devices, then program; in that order, so that the program sees the end of the tick.
   void tick();
 
-  [[nodiscard]] robot::Instant now() const { return now_; }
+  [[nodiscard]] robot::Instant now() const { return machine_.now(); }
   [[nodiscard]] bool done() const { return program_.done(); }
-  [[nodiscard]] world::World& world() { return world_; }
-  [[nodiscard]] const world::World& world() const { return world_; }
+  [[nodiscard]] world::World& world() { return machine_.world(); }
+  [[nodiscard]] const world::World& world() const { return machine_.world(); }
   [[nodiscard]] robot::MappingProgram& program() { return program_; }
   [[nodiscard]] const robot::MappingProgram& program() const { return program_; }
   /// What the mainboard sampled last.
-  [[nodiscard]] const world::RoombaInputs& inputs() const { return inputs_; }
+  [[nodiscard]] const world::RoombaInputs& inputs() const { return machine_.inputs(); }
   /// Over the moving state of every tick so far.
-  [[nodiscard]] const StateHash& hash() const { return hash_; }
+  [[nodiscard]] const StateHash& hash() const { return machine_.hash(); }
   /// Map id that this run's program writes into tags.
   [[nodiscard]] std::uint32_t map_id() const { return map_id_; }
 
@@ -57,17 +54,9 @@ class MappingTwin {
  private:
   robot::RandomStream random_;
   std::uint32_t map_id_;
-  world::World world_;
-  world::RoombaInputs inputs_;
-  world::RoombaOutputs outputs_;
-  EmulatedRoomba roomba_;
-  EmulatedSerial serial_;
-  EmulatedCardReader floor_reader_;
+  Machine machine_;
   EmulatedCardReader forward_reader_;
-  EmulatedCompassBoard compass_;
   robot::MappingProgram program_;
-  robot::Instant now_;
-  StateHash hash_;
 };
 
 /// The program's configuration as the scene's robot and mission sections say it: the same keys configure the

@@ -34,8 +34,7 @@ void SceneChecks::radio() {
   }
   const std::size_t slots = radio.radio.slots_s.size();
   if (!radio.radio.simultaneous && slots != 0 && slots != radio.antennas.size()) {
-    add("world.radio.slots_s",
-        fmt::format("has {} of them for {} antennas", slots, radio.antennas.size()),
+    add("world.radio.slots_s", fmt::format("has {} of them for {} antennas", slots, radio.antennas.size()),
         "expected one for each antenna of robot.uhf_reader, or none");
   }
   if (sound("world.radio.phase_sign") && radio.radio.phase_sign != 1.0 && radio.radio.phase_sign != -1.0) {
@@ -70,8 +69,7 @@ void SceneChecks::phase_mission() {
     const std::string& name = mission.destinations[i];
     if (std::find(names.begin(), names.end(), name) == names.end()) {
       add(fmt::format("mission.phase.destinations[{}]", i), fmt::format("there is no tag '{}'", name),
-          "expected the name of one of world.ceiling_tags" +
-              did_you_mean(name, names));
+          "expected the name of one of world.ceiling_tags" + did_you_mean(name, names));
     } else if (i > 0 && mission.destinations[i - 1] == name) {
       add(fmt::format("mission.phase.destinations[{}]", i), fmt::format("'{}' comes twice in a row", name),
           "expected another tag between");

@@ -181,13 +181,11 @@ auto there(world::WorldDescription& world) {
 
 void radio_world_fields(FieldVisitor& v, world::WorldDescription& world) {
   const Field tags{"ceiling_tags", "UHF tags under the ceiling"};
-  v.maybe(tags, world.radio.has_value(), there(world), [&] {
-    v.list(tags, world.radio->tags, [&](world::CeilingTag& tag) { tag_fields(v, tag); });
-  });
+  v.maybe(tags, world.radio.has_value(), there(world),
+          [&] { v.list(tags, world.radio->tags, [&](world::CeilingTag& tag) { tag_fields(v, tag); }); });
   const Field radio{"radio", "UHF reader and air: a profile, and what differs from it"};
-  v.maybe(radio, world.radio.has_value(), there(world), [&] {
-    v.section(radio, [&] { radio_fields(v, world.radio->radio); });
-  });
+  v.maybe(radio, world.radio.has_value(), there(world),
+          [&] { v.section(radio, [&] { radio_fields(v, world.radio->radio); }); });
   const Field radius{"floor_tag_radius_m", "a floor tag below a ceiling tag is read within this, m"};
   v.maybe(radius, world.radio.has_value(), there(world), [&] {
     v.number(radius, world.radio->floor_tag_radius_m, {0.001, 1.0});

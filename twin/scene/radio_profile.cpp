@@ -44,7 +44,8 @@ void take_radio_profile(YamlNode& scene, const std::filesystem::path& folder, st
   } catch (const SceneError& error) {
     exit_code = error.exit_code();
     for (const Problem& problem : error.problems()) {
-      problems.push_back({place, "world.radio.file", problem.place.source + ": " + problem.what, problem.hint});
+      problems.push_back(
+          {place, "world.radio.file", problem.place.source + ": " + problem.what, problem.hint});
     }
   }
 }

@@ -176,7 +176,6 @@ class SchemaBuilder : public FieldVisitor {
 
 std::string scene_schema() {
   Scene defaults;
-  defaults.world.radio.emplace();
   defaults.mission.map.emplace();
   SchemaBuilder builder;
   visit_fields(builder, defaults);

@@ -2,7 +2,7 @@
 #include "twin/validate/run_once.hpp"
 
 #include "twin/output/run_folder.hpp"
-#include "twin/run/mapping_run.hpp"
+#include "twin/run/scene_run.hpp"
 
 namespace sensotwin::twin {
 namespace {
@@ -10,16 +10,15 @@ namespace {
 /// Rows of trace.csv nobody reads, unless someone will look at the pictures beside it.
 constexpr int kNoTrace = 1'000'000;
 
-/// By the mission's kind. A new kind of mission is one more line here.
 Summary run_mission(const Scene& scene, RunFolder& folder, const RunRequest& request) {
-  MappingRunOptions options;
+  SceneRunOptions options;
   options.scene_as_given = request.scene_as_given;
   options.pictures = request.pictures;
   if (!request.pictures) {
     options.trace_every = kNoTrace;
   }
   options.keep_going = [&](const RunProgress&) { return !request.keep_going || request.keep_going(); };
-  return run_mapping(scene, folder, options);
+  return run_scene(scene, folder, options);
 }
 
 }  // namespace

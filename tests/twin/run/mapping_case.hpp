@@ -39,7 +39,7 @@ inline Scene home(const std::string& name, const std::string& explorer, std::uin
 /// Runs to the end, into `folder`. \param pictures  they take seconds
 inline Summary run_into(const std::filesystem::path& folder, const Scene& scene, bool pictures = false) {
   RunFolder results(folder, Existing::kRefuse);
-  MappingRunOptions options;
+  SceneRunOptions options;
   options.scene_as_given = scene.name;
   options.pictures = pictures;
   return run_mapping(scene, results, options);

@@ -126,9 +126,9 @@ TEST(InterruptedRun, EndsWhenToldToAndLeavesAShorterValidFolder) {
   const TemporaryFolder folder;
   RunFolder results(folder / "run", Existing::kRefuse);
   int asked = 0;
-  MappingRunOptions options;
+  SceneRunOptions options;
   options.keep_going = [&](const RunProgress& progress) {
-    return ++asked < 10 && progress.tiles_total == 225;
+    return ++asked < 10 && progress.total == 225;
   };
   const Summary summary = run_mapping(published("house"), results, options);
   EXPECT_TRUE(summary.interrupted);
@@ -143,7 +143,7 @@ TEST(InterruptedRun, EndsWhenToldToAndLeavesAShorterValidFolder) {
 TEST(InterruptedRun, LeavesOutThePicturesThatWereNotDrawnYet) {
   const TemporaryFolder folder;
   RunFolder results(folder / "run", Existing::kRefuse);
-  MappingRunOptions options;
+  SceneRunOptions options;
   const Scene scene = published("lesson_2x2");
   const double whole_s = run_of(scene).sim_s;
   options.keep_going = [&](const RunProgress& progress) { return progress.sim_s < whole_s; };

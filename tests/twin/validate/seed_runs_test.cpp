@@ -46,7 +46,7 @@ TEST(SeedRuns, AreTheRunsThatTwinRunMakes) {
   Scene scene = lesson();
   scene.seed = 8;
   RunFolder run(folder / "run", Existing::kRefuse);
-  MappingRunOptions options;
+  SceneRunOptions options;
   options.pictures = false;
   const Summary summary = run_mapping(scene, run, options);
   EXPECT_EQ(table.at(8).state_hash, summary.state_hash);

@@ -1,0 +1,65 @@
+// SPDX-License-Identifier: MIT
+#include "twin/run/phase_run.hpp"
+
+#include "twin/run/phase_pictures.hpp"
+#include "twin/run/phase_recorder.hpp"
+#include "twin/run/phase_twin.hpp"
+#include "twin/run/tick_loop.hpp"
+
+namespace sensotwin::twin {
+namespace {
+
+LinkHealth links_of(const robot::PhaseProgram& program) {
+  LinkHealth links;
+  const robot::LinkHealth& base = program.base().health();
+  links.roomba_frames = static_cast<std::int64_t>(base.frames_good);
+  links.roomba_frames_corrupt = static_cast<std::int64_t>(base.frames_corrupt);
+  links.roomba_frames_missed = static_cast<std::int64_t>(base.frames_missed);
+  const robot::ReaderHealth& floor = program.floor_reader().health();
+  links.card_exchanges = floor.exchanges;
+  links.card_exchanges_failed = floor.removed + floor.timeouts;
+  links.compass_sentences = program.compass().health().headings;
+  links.compass_sentences_corrupt = program.compass().health().bad_checksum;
+  return links;
+}
+
+}  // namespace
+
+Summary run_phase(const Scene& scene, RunFolder& folder, const SceneRunOptions& options) {
+  const double begun = options.wall_s ? options.wall_s() : 0.0;
+  PhaseTwin twin(scene);
+  PhaseRecorder recorder(scene, folder, options.trace_every, options.pictures, options.tag_log);
+  TickLoop loop(options.wall_s);
+  const auto may_go_on = [&] {
+    return !options.keep_going || options.keep_going({.sim_s = robot::to_s(twin.now()),
+                                                      .done = static_cast<int>(twin.program().leg()),
+                                                      .total = progress_total_of(scene)});
+  };
+  Summary summary;
+  const robot::Instant limit{robot::from_s(scene.limits.time_limit_s)};
+  summary.interrupted = !loop.run(twin, recorder, limit, may_go_on);
+  recorder.finish();
+  const double looped = options.wall_s ? options.wall_s() : 0.0;
+
+  summary.scene = options.scene_as_given;
+  summary.seed = scene.seed;
+  summary.sim_s = robot::to_s(twin.now());
+  summary.state_hash = twin.hash().text();
+  summary.path = recorder.result(twin);
+  summary.links = links_of(twin.program());
+  summary.expect = judge(limits_of(scene), figures_of(summary));
+  if (options.pictures && !summary.interrupted) {
+    summary.interrupted = !draw_phase_run(scene, twin, recorder, *summary.path, folder, may_go_on);
+  }
+  folder.write("summary.json", to_json(summary));
+  if (options.wall_s) {
+    Timing timing = loop.parts();
+    timing.sim_s = summary.sim_s;
+    timing.wall_s = looped - begun;
+    timing.render_s = options.wall_s() - looped;
+    folder.write("timing.json", to_json(timing));
+  }
+  return summary;
+}
+
+}  // namespace sensotwin::twin

@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <filesystem>
+#include <functional>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "twin/output/summary.hpp"
+#include "twin/scene/scene.hpp"
+
+namespace sensotwin::twin {
+
+/// How far a run is, for a progress bar.
+struct RunProgress {
+  double sim_s{0.0};
+  int done{0};   ///< tiles found, tags reached
+  int total{0};  ///< tiles of the carpet, destinations
+};
+
+struct SceneRunOptions {
+  std::string scene_as_given;  ///< as summary.json names it
+  int trace_every{7};          ///< ticks from row to row of trace.csv
+  bool pictures{true};
+  /// Missions along ceiling tags: what the UHF reader reports, with the columns of sllurp (tag_log.hpp).
+  std::optional<std::filesystem::path> tag_log{};
+  /// Asked a few hundred times a simulated hour, and between pictures; false ends the run in order, with
+  /// valid files and no further picture.
+  std::function<bool(const RunProgress&)> keep_going;
+  /// main's clock, s. Only timing.json depends on it.
+  std::function<double()> wall_s;
+};
+
+/// What the scene expects, as the judge wants it.
+[[nodiscard]] std::vector<FigureLimits> limits_of(const Scene& scene);
+/// The unit of RunProgress, in the plural.
+[[nodiscard]] const char* progress_unit_of(const Scene& scene);
+/// RunProgress::total from the beginning.
+[[nodiscard]] int progress_total_of(const Scene& scene);
+
+}  // namespace sensotwin::twin

@@ -1,0 +1,12 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "twin/run/mapping_run.hpp"
+#include "twin/run/phase_run.hpp"
+
+namespace sensotwin::twin {
+
+/// Runs a scene, whatever its mission: see run_mapping() and run_phase().
+Summary run_scene(const Scene& scene, RunFolder& folder, const SceneRunOptions& options);
+
+}  // namespace sensotwin::twin

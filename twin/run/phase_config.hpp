@@ -4,6 +4,7 @@
 #include <cstddef>
 #include <vector>
 
+#include "robot/base/random.hpp"
 #include "robot/program/phase_program.hpp"
 #include "twin/scene/scene.hpp"
 

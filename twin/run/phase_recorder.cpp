@@ -2,6 +2,7 @@
 #include "twin/run/phase_recorder.hpp"
 
 #include <algorithm>
+#include <Eigen/Geometry>
 #include <cmath>
 
 #include "twin/run/phase_config.hpp"
@@ -130,7 +131,7 @@ void PhaseRecorder::record_estimates(const PhaseTwin& twin) {
   }
   until_estimate_ = kEstimateEvery - 1;
   const robot::Pose2& X_WM = scene_.robot.X_WR_start;
-  const Eigen::Rotation2Dd turn(X_WM.yaw_rad);
+  const Eigen::Matrix2d turn = Eigen::Rotation2D<double>(X_WM.yaw_rad).toRotationMatrix();
   for (std::size_t i = 0; i < destinations_.size(); ++i) {
     const bool again =
         std::find(destinations_.begin(), destinations_.begin() + static_cast<std::ptrdiff_t>(i),
@@ -141,7 +142,7 @@ void PhaseRecorder::record_estimates(const PhaseTwin& twin) {
     }
     estimates_.push_back(
         {scene_.world.radio->tags[destinations_[i]].name, X_WM * estimate.p_M_m,
-         turn.toRotationMatrix() * estimate.covariance_m2 * turn.toRotationMatrix().transpose(),
+         turn * estimate.covariance_m2 * turn.transpose(),
          robot::to_s(twin.now())});
   }
 }

@@ -40,9 +40,16 @@ robot::PhaseLinks rewired(const robot::PhaseLinks& links, const PhaseTwin::Rewir
   return rewire ? rewire(links) : links;
 }
 
+robot::PhaseProgramConfig told(robot::PhaseProgramConfig config, const PhaseTwin::Retelling& retell) {
+  if (retell) {
+    retell(config);
+  }
+  return config;
+}
+
 }  // namespace
 
-PhaseTwin::PhaseTwin(const Scene& scene, const Rewiring& rewire)
+PhaseTwin::PhaseTwin(const Scene& scene, const Rewiring& rewire, const Retelling& retell)
     : random_(scene.seed),
       radio_world_(radio_of(scene, random_)),
       user_memory_(user_memory_of(radio_world_)),
@@ -59,7 +66,7 @@ PhaseTwin::PhaseTwin(const Scene& scene, const Rewiring& rewire)
                   }),
       program_(rewired({machine_.serial(), uhf_reader_.link(), machine_.floor_reader(), machine_.compass()},
                        rewire),
-               phase_config_of(scene, radio_world_)) {
+               told(phase_config_of(scene, radio_world_), retell)) {
   radio_.use_antennas({}, 0.0);
 }
 

@@ -25,8 +25,11 @@ class PhaseTwin {
   /// wires and gives those that the program gets, which must outlive the twin.
   using Rewiring = std::function<robot::PhaseLinks(const robot::PhaseLinks&)>;
 
+  /// Changes what the program is told, and nothing that is true: exchanged cables, a wrong list of tags.
+  using Retelling = std::function<void(robot::PhaseProgramConfig&)>;
+
   /// \pre scene.mission.phase and scene.world.radio
-  explicit PhaseTwin(const Scene& scene, const Rewiring& rewire = {});
+  explicit PhaseTwin(const Scene& scene, const Rewiring& rewire = {}, const Retelling& retell = {});
   PhaseTwin(const PhaseTwin&) = delete;
   PhaseTwin& operator=(const PhaseTwin&) = delete;
 

@@ -3,30 +3,16 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 #include <string>
 #include <vector>
 
-#include "mapping_case.hpp"
+#include "phase_case.hpp"
 #include "twin/run/ideal_path.hpp"
 #include "twin/run/phase_config.hpp"
-#include "twin/run/scene_run.hpp"
 
 namespace sensotwin::twin {
 namespace {
-
-Summary phase_run(const std::filesystem::path& folder, const Scene& scene, bool pictures = false) {
-  RunFolder results(folder, Existing::kRefuse);
-  SceneRunOptions options;
-  options.scene_as_given = scene.name;
-  options.pictures = pictures;
-  options.tag_log = folder / "reads.csv";
-  return run_scene(scene, results, options);
-}
-
-PathResult result_of(const Scene& scene) {
-  const TemporaryFolder folder;
-  return *phase_run(folder / "run", scene).path;
-}
 
 TEST(IdealPath, ScoresEachLegAgainstItsOwnLineAndNotTheWayToTheFirstTag) {
   const IdealPath path(published("line_at_90"));
@@ -78,7 +64,7 @@ TEST(PhaseRun, GivesTheSameBytesAgain) {
 TEST(PhaseRun, OfThePaperKeepsItsFiguresOnAFewSeeds) {
   for (const char* name : {"line_at_90", "line_at_0", "complex_path", "hallway"}) {
     for (std::uint64_t seed = 1; seed <= 5; ++seed) {
-      const PathResult path = result_of(published(name, {}, seed));
+      const PathResult path = path_of(published(name, {}, seed));
       EXPECT_EQ(path.arrived, 1) << name << " seed " << seed;
       EXPECT_LT(path.rmse_m, 0.6) << name << " seed " << seed;
       EXPECT_EQ(path.wall_contacts, 0) << name << " seed " << seed;
@@ -94,18 +80,18 @@ TEST(PhaseRun, FailsWithAntennasNaivelyMultiplexedAndIsRestoredByInterpolation) 
   for (std::uint64_t seed = 1; seed <= 3; ++seed) {
     auto naive = multiplexed;
     naive.push_back("mission.phase.pairing=latest");
-    EXPECT_EQ(result_of(published("line_at_90", naive, seed)).arrived, 0) << seed;
+    EXPECT_EQ(path_of(published("line_at_90", naive, seed)).arrived, 0) << seed;
     auto restored = multiplexed;
     restored.push_back("mission.phase.pairing=interpolated");
-    EXPECT_EQ(result_of(published("line_at_90", restored, seed)).arrived, 1) << seed;
+    EXPECT_EQ(path_of(published("line_at_90", restored, seed)).arrived, 1) << seed;
   }
 }
 
 TEST(PhaseRun, ByOurOwnControllerKeepsWithinCentimetresOfCurvesAndCorners) {
   const std::vector<std::string> own{"mission.phase.controller=own", "mission.phase.corners=slow"};
-  EXPECT_LT(result_of(published("hallway", own)).rmse_m, 0.05);
-  EXPECT_LT(result_of(published("circle")).rmse_m, 0.03);
-  EXPECT_LT(result_of(published("smooth_curve")).rmse_m, 0.03);
+  EXPECT_LT(path_of(published("hallway", own)).rmse_m, 0.05);
+  EXPECT_LT(path_of(published("circle")).rmse_m, 0.03);
+  EXPECT_LT(path_of(published("smooth_curve")).rmse_m, 0.03);
 }
 
 TEST(PhaseRun, WithTheMeasuredReaderHopsOverThatRunsOwnTable) {

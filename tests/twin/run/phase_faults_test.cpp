@@ -78,9 +78,9 @@ class FaultyReaderLink final : public robot::ByteLink {
 class FaultyRun {
  public:
   explicit FaultyRun(const Scene& scene, double lose = 0.0, const PhaseTwin::Retelling& retell = {})
-      : path_(scene) {
+      : scene_(scene), path_(scene_) {
     twin_.emplace(
-        scene,
+        scene_,
         [&](const robot::PhaseLinks& links) -> robot::PhaseLinks {
           link_.emplace(links.uhf_reader, lose, robot::RandomStream(99));
           return {links.base, *link_, links.floor_reader, links.sensors};
@@ -107,6 +107,7 @@ class FaultyRun {
   FaultyReaderLink& link() { return *link_; }
 
  private:
+  Scene scene_;
   IdealPath path_;
   std::optional<FaultyReaderLink> link_;
   std::optional<PhaseTwin> twin_;

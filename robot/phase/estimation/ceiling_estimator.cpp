@@ -29,7 +29,8 @@ constexpr double kBankMisfit = 5.0;  ///< a bank that explains its reads this ba
 constexpr double kBankWay_m = 6.0;   ///< and one that has not settled after this way. Chosen: two ceilings
 /// A bank's covariance times this when its tag joins the filter: both have used the same odometry. Chosen.
 constexpr double kPromotedInflation = 6.0;
-constexpr double kMoved_m = 0.15;  ///< found this far from where it was, and beyond four sigma: moved
+constexpr double kMoved_m = 0.15;  ///< found this far from where it was, and beyond three sigma: moved
+constexpr double kMovedSigmas = 3.0;
 
 Pose2 between(const Pose2& X_OA, const Pose2& X_OB) {
   return X_OA.inverse() * X_OB;
@@ -171,14 +172,6 @@ void CeilingEstimator::promote(int id) {
   tag.rejected_in_a_row = 0;
   tag.has_innovation.fill(false);
   say(EstimatorEventKind::kTagFound, id);
-  if (tag.was_known) {
-    const Vec2 moved = filter_.tag_M_m(id).head<2>() - tag.last_M_m.head<2>();
-    const Eigen::Matrix2d spread = (filter_.tag_covariance(id) + tag.last_covariance).topLeftCorner<2, 2>();
-    if (moved.norm() > kMoved_m && moved.squaredNorm() > 16.0 * spread.trace()) {
-      say(EstimatorEventKind::kTagMoved, id, moved.norm());
-    }
-    tag.was_known = false;
-  }
   if (wiring_known_) {
     release_bank(id);
   }
@@ -193,8 +186,9 @@ void CeilingEstimator::track(int id, const UhfRead& read, const Pose2& X_now_the
     return;
   }
   learn_noise(tag, port, outcome);
-  tag.certain =
-      tag.certain || filter_.tag_covariance(id).topLeftCorner<2, 2>().trace() < kCertain_m * kCertain_m;
+  if (!tag.certain) {
+    become_certain(id);
+  }
   const double fit = outcome.innovation_rad * outcome.innovation_rad / outcome.variance;
   tag.misfit += kMisfitMemory * (std::min(fit, kNoiseClip) - tag.misfit);
   tag.rejected_in_a_row = outcome.fate == JointFilter::Fate::kRejected ? tag.rejected_in_a_row + 1 : 0;
@@ -202,6 +196,21 @@ void CeilingEstimator::track(int id, const UhfRead& read, const Pose2& X_now_the
   if (tag.misfit > config_.misfit_limit || tag.rejected_in_a_row > kRejectedInARow ||
       (gone && !tag.certain)) {
     drop(id);
+  }
+}
+
+void CeilingEstimator::become_certain(int id) {
+  Watched& tag = watched_[static_cast<std::size_t>(id)];
+  const Eigen::Matrix2d covariance = filter_.tag_covariance(id).topLeftCorner<2, 2>();
+  tag.certain = covariance.trace() < kCertain_m * kCertain_m;
+  if (!tag.certain || !tag.was_known) {
+    return;
+  }
+  tag.was_known = false;
+  const double moved_m = (filter_.tag_M_m(id) - tag.last_M_m).head<2>().norm();
+  const double spread2 = covariance.trace() + tag.last_covariance.topLeftCorner<2, 2>().trace();
+  if (moved_m > kMoved_m && moved_m * moved_m > kMovedSigmas * kMovedSigmas * spread2) {
+    say(EstimatorEventKind::kTagMoved, id, moved_m);
   }
 }
 
@@ -219,10 +228,11 @@ void CeilingEstimator::learn_noise(Watched& tag, std::size_t port, const JointFi
 
 void CeilingEstimator::drop(int id) {
   Watched& tag = watched_[static_cast<std::size_t>(id)];
-  if (!tag.was_known) {
+  if (tag.certain) {
     tag.was_known = true;
     tag.last_M_m = filter_.tag_M_m(id);
     tag.last_covariance = filter_.tag_covariance(id);
+    say(EstimatorEventKind::kTagLost, id);
   }
   filter_.remove(id);
   if (tag.bank >= 0) {
@@ -231,7 +241,6 @@ void CeilingEstimator::drop(int id) {
     release_bank(id);
   }
   ++drops_;
-  say(EstimatorEventKind::kTagLost, id);
 }
 
 void CeilingEstimator::release_bank(int id) {

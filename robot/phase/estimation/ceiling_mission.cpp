@@ -67,6 +67,7 @@ PhaseCommand CeilingMission::step(const PhaseSensed& sensed) {
   }
   watch_reader(sensed);
   watch_destination();
+  watch_order();
   watch_corridor();
   if ((sensed.bump_left || sensed.bump_right) && mode_ != CeilingMode::kBackingOff &&
       mode_ != CeilingMode::kFinished) {
@@ -186,7 +187,6 @@ void CeilingMission::reach() {
   const double corner = config_.path == TagPathKind::kPolyline ? corner_rad() : 0.0;
   from_ = leg_;
   begin_leg(leg_ + 1);
-  watch_order();
   if (mode_ == CeilingMode::kDriving && config_.follower.stop_at_corners &&
       config_.path == TagPathKind::kPolyline && std::abs(corner) > config_.follower.corner_rad) {
     mode_ = CeilingMode::kTurning;

@@ -453,6 +453,13 @@ JointFilter::Outcome JointFilter::read(int id, const UhfRead& read, const Pose2&
   return out;
 }
 
+void JointFilter::inform(int id, const UhfRead& read) {
+  age_echoes();
+  const PhasePrediction p = predict(id, read, Pose2{});
+  const double from_state = project(p.H);
+  correct(0.0, from_state + model_.noise.variance(p.slant_m, read.rssi_dbm));
+}
+
 void JointFilter::fix_over(int id, const Vec2& offset_M_m, const Vec2& along_M, double along_sigma_m,
                            double across_sigma_m) {
   const Vec2 across_M{-along_M.y(), along_M.x()};

@@ -23,8 +23,8 @@ constexpr double kWiringEvidence = 25.0;
 /// A tag whose place is not certain yet and runs off beyond this is sought anew. Chosen: beyond a bank's
 /// reach.
 constexpr double kFarthest_m = 14.0;
-/// Certain: one sigma of its place.
-constexpr double kCertain_m = 0.3;
+/// Certain: one sigma of its place. Chosen: less than a robot.
+constexpr double kCertain_m = 0.15;
 constexpr double kBankMisfit = 5.0;  ///< a bank that explains its reads this badly is begun anew
 constexpr double kBankWay_m = 6.0;   ///< and one that has not settled after this way. Chosen: two ceilings
 /// A bank's covariance times this when its tag joins the filter: both have used the same odometry. Chosen.

@@ -41,13 +41,10 @@ JointFilter::JointFilter(const PhaseReaderModel& model, const WheelModel& wheels
       echoes_(model.noise.echo_rad > 0.0 ? ports_ + 2 : 0),
       per_tag_(kEcho + echoes_),
       n_(base_),
-      x_(Eigen::VectorXd::Zero(base_ +
-                               (kEcho + static_cast<int>(PhaseReaderModel::kMostAntennas) + 1) * kMostTags)),
-      P_(Eigen::MatrixXd::Zero(
-          base_ + per_tag_ * kMostTags,
-          base_ + (kEcho + static_cast<int>(PhaseReaderModel::kMostAntennas) + 1) * kMostTags)),
-      gain_(Eigen::VectorXd::Zero(base_ + (kEcho + static_cast<int>(PhaseReaderModel::kMostAntennas) + 1) *
-                                              kMostTags)) {
+      x_(Eigen::VectorXd::Zero(base_ + per_tag_ * kMostTags)),
+      P_(Eigen::MatrixXd::Zero(base_ + per_tag_ * kMostTags, base_ + per_tag_ * kMostTags)),
+      gain_(Eigen::VectorXd::Zero(base_ + per_tag_ * kMostTags)),
+      antenna_height_m_(model.antennas.front().at_R_m.z()) {
   assert(ports_ >= 0);
   ids_.reserve(kMostTags);
   P_(kScale, kScale) = squared(wheels.scale_sigma);

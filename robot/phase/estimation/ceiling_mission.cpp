@@ -108,8 +108,8 @@ WheelSpeeds CeilingMission::drive() {
     mode_ = CeilingMode::kDriving;
     return drive_to(*path);
   }
-  const TagEstimate destination = estimator_.tag(route_[leg_]);
-  if (!destination.heard) {
+  const TagEstimate sought = estimator_.tag(route_[destination()]);
+  if (!sought.heard) {
     return {};  // stands until it is heard, or missed
   }
   if (leg_ == 0) {
@@ -178,7 +178,7 @@ WheelSpeeds CeilingMission::drive_to(const PathReference& path) {
 }
 
 void CeilingMission::reach() {
-  note(CeilingEventKind::kTagReached, config_.path == TagPathKind::kCircleAbout ? route_[0] : route_[leg_]);
+  note(CeilingEventKind::kTagReached, route_[destination()]);
   if (is_last()) {
     note(CeilingEventKind::kArrived);
     finish(true);

@@ -62,8 +62,8 @@ struct PhasePrediction {
 /// with L the way over the tag and k_0 the wave number of the centre, so that what the tag's own phase keeps
 /// through all channels is one number, and a hop tells L itself.
 ///
-/// At most kMostTags tags at once, so that a read costs a bounded time: 0.6 us with 3 tags, 2 us with 12
-/// (tests/robot/phase/estimation/estimator_cost_test.cpp prints it). Never allocates after construction.
+/// At most kMostTags tags at once, so that a read costs a bounded time (estimator_cost_test.cpp prints what a
+/// step takes). Never allocates after construction.
 class JointFilter {
  public:
   static constexpr int kMostTags = 12;

@@ -12,6 +12,9 @@ namespace {
 /// A tag's innovations are averaged over about this many reads (algorithms study, A.4: 20).
 constexpr double kMisfitMemory = 0.05;
 constexpr int kRejectedInARow = 10;  ///< drop at once. Chosen: half a second of both ports
+/// A tag whose reads only ever tell their own offset is known too badly to be learned from: sought anew.
+/// Chosen: half a second of both ports, twice.
+constexpr int kOffsetsInARow = 40;
 /// Noise is learned over about this many reads. Chosen: a second of three tags.
 constexpr double kNoiseMemory = 0.01;
 /// Squared differences of innovations count up to this many variances, so that one flip is not taken for
@@ -170,6 +173,7 @@ void CeilingEstimator::promote(int id) {
   tag.misfit = 1.0;
   tag.certain = false;
   tag.rejected_in_a_row = 0;
+  tag.offsets_in_a_row = 0;
   tag.has_innovation.fill(false);
   say(EstimatorEventKind::kTagFound, id);
   if (wiring_known_) {
@@ -183,8 +187,12 @@ void CeilingEstimator::track(int id, const UhfRead& read, const Pose2& X_now_the
   const std::size_t port = read.antenna - 1u;
   if (outcome.fate == JointFilter::Fate::kOffsetSet) {
     tag.has_innovation[port] = false;
+    if (++tag.offsets_in_a_row > kOffsetsInARow) {
+      drop(id);
+    }
     return;
   }
+  tag.offsets_in_a_row = 0;
   learn_noise(tag, port, outcome);
   if (!tag.certain) {
     become_certain(id);

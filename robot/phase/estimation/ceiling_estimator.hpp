@@ -110,6 +110,7 @@ class CeilingEstimator {
     int bank{-1};
     double misfit{1.0};
     int rejected_in_a_row{0};
+    int offsets_in_a_row{0};
     std::optional<Instant> heard;
     std::array<double, PhaseReaderModel::kMostAntennas> last_innovation{};
     std::array<bool, PhaseReaderModel::kMostAntennas> has_innovation{};

@@ -12,6 +12,9 @@ namespace {
 /// A tag's innovations are averaged over about this many reads (algorithms study, A.4: 20).
 constexpr double kMisfitMemory = 0.05;
 constexpr int kRejectedInARow = 10;  ///< drop at once. Chosen: half a second of both ports
+/// A tag whose reads only ever tell their own offset is known too badly to be learned from: sought anew.
+/// Chosen: half a second of both ports, twice.
+constexpr int kOffsetsInARow = 40;
 /// Noise is learned over about this many reads. Chosen: a second of three tags.
 constexpr double kNoiseMemory = 0.01;
 /// Squared differences of innovations count up to this many variances, so that one flip is not taken for
@@ -23,13 +26,14 @@ constexpr double kWiringEvidence = 25.0;
 /// A tag whose place is not certain yet and runs off beyond this is sought anew. Chosen: beyond a bank's
 /// reach.
 constexpr double kFarthest_m = 14.0;
-/// Certain: one sigma of its place.
-constexpr double kCertain_m = 0.3;
+/// Certain: one sigma of its place. Chosen: less than a robot.
+constexpr double kCertain_m = 0.15;
 constexpr double kBankMisfit = 5.0;  ///< a bank that explains its reads this badly is begun anew
 constexpr double kBankWay_m = 6.0;   ///< and one that has not settled after this way. Chosen: two ceilings
 /// A bank's covariance times this when its tag joins the filter: both have used the same odometry. Chosen.
 constexpr double kPromotedInflation = 6.0;
-constexpr double kMoved_m = 0.15;  ///< found this far from where it was, and beyond four sigma: moved
+constexpr double kMoved_m = 0.15;  ///< found this far from where it was, and beyond three sigma: moved
+constexpr double kMovedSigmas = 3.0;
 
 Pose2 between(const Pose2& X_OA, const Pose2& X_OB) {
   return X_OA.inverse() * X_OB;
@@ -169,16 +173,9 @@ void CeilingEstimator::promote(int id) {
   tag.misfit = 1.0;
   tag.certain = false;
   tag.rejected_in_a_row = 0;
+  tag.offsets_in_a_row = 0;
   tag.has_innovation.fill(false);
   say(EstimatorEventKind::kTagFound, id);
-  if (tag.was_known) {
-    const Vec2 moved = filter_.tag_M_m(id).head<2>() - tag.last_M_m.head<2>();
-    const Eigen::Matrix2d spread = (filter_.tag_covariance(id) + tag.last_covariance).topLeftCorner<2, 2>();
-    if (moved.norm() > kMoved_m && moved.squaredNorm() > 16.0 * spread.trace()) {
-      say(EstimatorEventKind::kTagMoved, id, moved.norm());
-    }
-    tag.was_known = false;
-  }
   if (wiring_known_) {
     release_bank(id);
   }
@@ -190,11 +187,16 @@ void CeilingEstimator::track(int id, const UhfRead& read, const Pose2& X_now_the
   const std::size_t port = read.antenna - 1u;
   if (outcome.fate == JointFilter::Fate::kOffsetSet) {
     tag.has_innovation[port] = false;
+    if (++tag.offsets_in_a_row > kOffsetsInARow) {
+      drop(id);
+    }
     return;
   }
+  tag.offsets_in_a_row = 0;
   learn_noise(tag, port, outcome);
-  tag.certain =
-      tag.certain || filter_.tag_covariance(id).topLeftCorner<2, 2>().trace() < kCertain_m * kCertain_m;
+  if (!tag.certain) {
+    become_certain(id);
+  }
   const double fit = outcome.innovation_rad * outcome.innovation_rad / outcome.variance;
   tag.misfit += kMisfitMemory * (std::min(fit, kNoiseClip) - tag.misfit);
   tag.rejected_in_a_row = outcome.fate == JointFilter::Fate::kRejected ? tag.rejected_in_a_row + 1 : 0;
@@ -202,6 +204,21 @@ void CeilingEstimator::track(int id, const UhfRead& read, const Pose2& X_now_the
   if (tag.misfit > config_.misfit_limit || tag.rejected_in_a_row > kRejectedInARow ||
       (gone && !tag.certain)) {
     drop(id);
+  }
+}
+
+void CeilingEstimator::become_certain(int id) {
+  Watched& tag = watched_[static_cast<std::size_t>(id)];
+  const Eigen::Matrix2d covariance = filter_.tag_covariance(id).topLeftCorner<2, 2>();
+  tag.certain = covariance.trace() < kCertain_m * kCertain_m;
+  if (!tag.certain || !tag.was_known) {
+    return;
+  }
+  tag.was_known = false;
+  const double moved_m = (filter_.tag_M_m(id) - tag.last_M_m).head<2>().norm();
+  const double spread2 = covariance.trace() + tag.last_covariance.topLeftCorner<2, 2>().trace();
+  if (moved_m > kMoved_m && moved_m * moved_m > kMovedSigmas * kMovedSigmas * spread2) {
+    say(EstimatorEventKind::kTagMoved, id, moved_m);
   }
 }
 
@@ -219,10 +236,11 @@ void CeilingEstimator::learn_noise(Watched& tag, std::size_t port, const JointFi
 
 void CeilingEstimator::drop(int id) {
   Watched& tag = watched_[static_cast<std::size_t>(id)];
-  if (!tag.was_known) {
+  if (tag.certain) {
     tag.was_known = true;
     tag.last_M_m = filter_.tag_M_m(id);
     tag.last_covariance = filter_.tag_covariance(id);
+    say(EstimatorEventKind::kTagLost, id);
   }
   filter_.remove(id);
   if (tag.bank >= 0) {
@@ -231,7 +249,6 @@ void CeilingEstimator::drop(int id) {
     release_bank(id);
   }
   ++drops_;
-  say(EstimatorEventKind::kTagLost, id);
 }
 
 void CeilingEstimator::release_bank(int id) {

@@ -55,7 +55,7 @@ struct TagEstimate {
 
 enum class EstimatorEventKind : std::uint8_t {
   kTagFound,       ///< a tag's place is known now
-  kTagLost,        ///< its reads do not fit its place any more: sought anew
+  kTagLost,        ///< was known to a hand; its reads do not fit that any more: sought anew
   kTagMoved,       ///< found again elsewhere
   kCablesSwapped,  ///< ports 1 and 2 are exchanged; taken into account from now on
   kWiringAsGiven,  ///< they are not
@@ -110,6 +110,7 @@ class CeilingEstimator {
     int bank{-1};
     double misfit{1.0};
     int rejected_in_a_row{0};
+    int offsets_in_a_row{0};
     std::optional<Instant> heard;
     std::array<double, PhaseReaderModel::kMostAntennas> last_innovation{};
     std::array<bool, PhaseReaderModel::kMostAntennas> has_innovation{};
@@ -123,6 +124,7 @@ class CeilingEstimator {
   void use(const UhfRead& read);
   void seek(int id, const UhfRead& read, const Pose2& X_OR_then);
   void track(int id, const UhfRead& read, const Pose2& X_now_then);
+  void become_certain(int id);
   void learn_noise(Watched& tag, std::size_t port, const JointFilter::Outcome& outcome);
   void promote(int id);
   void drop(int id);

@@ -67,6 +67,7 @@ PhaseCommand CeilingMission::step(const PhaseSensed& sensed) {
   }
   watch_reader(sensed);
   watch_destination();
+  watch_order();
   watch_corridor();
   if ((sensed.bump_left || sensed.bump_right) && mode_ != CeilingMode::kBackingOff &&
       mode_ != CeilingMode::kFinished) {
@@ -107,8 +108,8 @@ WheelSpeeds CeilingMission::drive() {
     mode_ = CeilingMode::kDriving;
     return drive_to(*path);
   }
-  const TagEstimate destination = estimator_.tag(route_[leg_]);
-  if (!destination.heard) {
+  const TagEstimate sought = estimator_.tag(route_[destination()]);
+  if (!sought.heard) {
     return {};  // stands until it is heard, or missed
   }
   if (leg_ == 0) {
@@ -177,7 +178,7 @@ WheelSpeeds CeilingMission::drive_to(const PathReference& path) {
 }
 
 void CeilingMission::reach() {
-  note(CeilingEventKind::kTagReached, config_.path == TagPathKind::kCircleAbout ? route_[0] : route_[leg_]);
+  note(CeilingEventKind::kTagReached, route_[destination()]);
   if (is_last()) {
     note(CeilingEventKind::kArrived);
     finish(true);
@@ -186,7 +187,6 @@ void CeilingMission::reach() {
   const double corner = config_.path == TagPathKind::kPolyline ? corner_rad() : 0.0;
   from_ = leg_;
   begin_leg(leg_ + 1);
-  watch_order();
   if (mode_ == CeilingMode::kDriving && config_.follower.stop_at_corners &&
       config_.path == TagPathKind::kPolyline && std::abs(corner) > config_.follower.corner_rad) {
     mode_ = CeilingMode::kTurning;

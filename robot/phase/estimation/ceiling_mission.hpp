@@ -75,6 +75,10 @@ class CeilingMission {
   void finish(bool arrived);
   void note(CeilingEventKind kind, std::optional<int> tag = std::nullopt, double value = 0.0);
   [[nodiscard]] bool is_last() const;
+  /// Route index of the tag that is made for, or circled.
+  [[nodiscard]] std::size_t destination() const {
+    return config_.path == TagPathKind::kCircleAbout ? 0 : leg_;
+  }
 
   CeilingMissionConfig config_;
   std::vector<int> route_;  ///< the estimator's index of each tag

@@ -109,20 +109,18 @@ void CeilingMission::watch_destination() {
   if (reader_silent_ || mode_ == CeilingMode::kFinished || mode_ == CeilingMode::kSearching) {
     return;
   }
-  const std::size_t index = config_.path == TagPathKind::kCircleAbout ? 0 : leg_;
-  const TagEstimate destination = estimator_.tag(route_[index]);
-  const Instant since = destination.heard ? std::max(*destination.heard, leg_since_) : leg_since_;
+  const TagEstimate sought = estimator_.tag(route_[destination()]);
+  const Instant since = sought.heard ? std::max(*sought.heard, leg_since_) : leg_since_;
   if (to_s(now_ - since) < config_.faults.missing_after_s) {
-    if (destination.heard && *destination.heard == since) {
+    if (sought.heard && *sought.heard == since) {
       silent_said_ = false;
     }
     return;
   }
-  const bool known =
-      destination.knowledge == TagKnowledge::kTracked || destination.knowledge == TagKnowledge::kKept;
+  const bool known = sought.knowledge == TagKnowledge::kTracked || sought.knowledge == TagKnowledge::kKept;
   if (!silent_said_) {
     silent_said_ = true;
-    note(known ? CeilingEventKind::kTagSilent : CeilingEventKind::kTagMissing, route_[index]);
+    note(known ? CeilingEventKind::kTagSilent : CeilingEventKind::kTagMissing, route_[destination()]);
   }
   if (!known) {
     lose_tag(config_.faults.on_missing);
@@ -132,7 +130,7 @@ void CeilingMission::watch_destination() {
 void CeilingMission::lose_tag(OnTagFault action) {
   switch (action) {
     case OnTagFault::kSearch:
-      note(CeilingEventKind::kSearching, route_[leg_]);
+      note(CeilingEventKind::kSearching, route_[destination()]);
       mode_ = CeilingMode::kSearching;
       searched_rad_ = 0.0;
       break;
@@ -146,7 +144,7 @@ void CeilingMission::lose_tag(OnTagFault action) {
 }
 
 void CeilingMission::skip() {
-  note(CeilingEventKind::kTagSkipped, route_[leg_]);
+  note(CeilingEventKind::kTagSkipped, route_[destination()]);
   ++skipped_;
   if (is_last()) {
     // The end of the path is not to be had.
@@ -158,8 +156,8 @@ void CeilingMission::skip() {
 }
 
 WheelSpeeds CeilingMission::search() {
-  const TagEstimate destination = estimator_.tag(route_[leg_]);
-  if (destination.heard && to_s(now_ - *destination.heard) < 1.0) {
+  const TagEstimate sought = estimator_.tag(route_[destination()]);
+  if (sought.heard && to_s(now_ - *sought.heard) < 1.0) {
     mode_ = CeilingMode::kDriving;
     leg_since_ = now_;
     silent_said_ = false;

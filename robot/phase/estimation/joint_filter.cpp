@@ -1,34 +1,23 @@
 // SPDX-License-Identifier: MIT
 #include "robot/phase/estimation/joint_filter.hpp"
 
-#include <Eigen/LU>
 #include <algorithm>
 #include <cassert>
 #include <cmath>
-#include <utility>
+
+#include "robot/phase/estimation/joint_filter_layout.hpp"
 
 namespace sensotwin::robot {
 namespace {
 
-constexpr int kScale = 3;
-constexpr int kTurnScale = 4;
-constexpr int kCurvature = 5;
-constexpr int kBias = 6;
-constexpr int kPorts = 7;
-constexpr int kEcho = 4;                ///< in a tag's states, after place and phase offset
-constexpr double kUnknownPhase2 = 1e4;  ///< variance of a phase of which nothing is known
+using namespace joint_filter_layout;
+
 /// As share of half a period: a phase predicted worse than this cannot be told from its neighbours.
 constexpr double kAmbiguousShare = 0.4;
-/// Directions are kept within: 29 m away under a ceiling 2.9 m above the antennas.
-constexpr double kRim = 0.995;
 /// A tag's direction is told from a place at most this far from the robot. Chosen: a third of the ceiling's
 /// height.
 constexpr double kAnchored_m = 1.0;
 constexpr double kLightSpeed_mps = 299792458.0;
-
-double squared(double x) {
-  return x * x;
-}
 
 }  // namespace
 
@@ -41,13 +30,10 @@ JointFilter::JointFilter(const PhaseReaderModel& model, const WheelModel& wheels
       echoes_(model.noise.echo_rad > 0.0 ? ports_ + 2 : 0),
       per_tag_(kEcho + echoes_),
       n_(base_),
-      x_(Eigen::VectorXd::Zero(base_ +
-                               (kEcho + static_cast<int>(PhaseReaderModel::kMostAntennas) + 1) * kMostTags)),
-      P_(Eigen::MatrixXd::Zero(
-          base_ + per_tag_ * kMostTags,
-          base_ + (kEcho + static_cast<int>(PhaseReaderModel::kMostAntennas) + 1) * kMostTags)),
-      gain_(Eigen::VectorXd::Zero(base_ + (kEcho + static_cast<int>(PhaseReaderModel::kMostAntennas) + 1) *
-                                              kMostTags)) {
+      x_(Eigen::VectorXd::Zero(base_ + per_tag_ * kMostTags)),
+      P_(Eigen::MatrixXd::Zero(base_ + per_tag_ * kMostTags, base_ + per_tag_ * kMostTags)),
+      gain_(Eigen::VectorXd::Zero(base_ + per_tag_ * kMostTags)),
+      antenna_height_m_(model.antennas.front().at_R_m.z()) {
   assert(ports_ >= 0);
   ids_.reserve(kMostTags);
   P_(kScale, kScale) = squared(wheels.scale_sigma);
@@ -98,7 +84,7 @@ void JointFilter::drive(const WheelStep& step) {
   x_(1) += d * s;
   x_(2) = wrap_angle(x_(2) + way.turn_rad);
   // P <- F P F': only the pose depends on anything but itself. By columns, then by rows.
-  const auto middle_of = [](const auto& m, const Eigen::Vector4d& by) {
+  const auto sum_of = [](const auto& m, const Eigen::Vector4d& by) {
     return (m.col(2) * by(0) + m.col(kScale) * by(1) + m.col(kTurnScale) * by(2) + m.col(kCurvature) * by(3))
         .eval();
   };
@@ -116,11 +102,11 @@ void JointFilter::drive(const WheelStep& step) {
   const Eigen::Matrix<double, 7, 7> corner = P.topLeftCorner<7, 7>();
   const Eigen::Matrix<double, 7, 7> across = corner.transpose();
   Eigen::Matrix3d pose = corner.topLeftCorner<3, 3>();
-  pose.row(0) += middle_of(across, by_x).head<3>().transpose();
-  pose.row(1) += middle_of(across, by_y).head<3>().transpose();
+  pose.row(0) += sum_of(across, by_x).head<3>().transpose();
+  pose.row(1) += sum_of(across, by_y).head<3>().transpose();
   Eigen::Vector4d only = turned;
   only(0) = 0.0;
-  pose.row(2) += middle_of(across, only).head<3>().transpose();
+  pose.row(2) += sum_of(across, only).head<3>().transpose();
   P.topRightCorner(3, n_ - 3) = P.bottomLeftCorner(n_ - 3, 3).transpose();
   P.topLeftCorner<3, 3>() = 0.5 * (pose + pose.transpose());
 
@@ -196,198 +182,6 @@ void JointFilter::correct_by_compass(double reading_rad) {
   correct(innovation, from_state + noise);
 }
 
-void JointFilter::begin_echoes(int j) {
-  P_.block(j, j, per_tag_, per_tag_).setZero();
-  for (int i = 0; i < echoes_; ++i) {
-    x_(j + kEcho + i) = 0.0;
-    P_(j + kEcho + i, j + kEcho + i) = echo_variance(i);
-  }
-}
-
-double JointFilter::echo_variance(int echo) const {
-  // The way out and the way back bend alike; with one antenna for both they bend together.
-  const double whole = squared(model_.noise.echo_rad);
-  return model_.monostatic ? (echo == 0 ? 0.0 : whole) : whole / 2.0;
-}
-
-void JointFilter::age_echoes() {
-  const double way_m = std::exchange(way_since_read_m_, 0.0);
-  if (echoes_ == 0 || way_m == 0.0) {
-    return;
-  }
-  const double kept = std::exp(-way_m / model_.noise.echo_length_m);
-  for (int t = 0; t < tags(); ++t) {
-    const int j = base_ + per_tag_ * t + kEcho;
-    x_.segment(j, echoes_) *= kept;
-    P_.block(0, j, n_, echoes_) *= kept;
-    P_.block(j, 0, echoes_, n_) *= kept;
-    for (int i = 0; i < echoes_; ++i) {
-      P_(j + i, j + i) += (1.0 - kept * kept) * echo_variance(i);
-    }
-  }
-}
-
-bool JointFilter::add(const NewTag& tag) {
-  assert(!knows(tag.id));
-  if (tags() >= kMostTags) {
-    return false;
-  }
-  const int j = n_;
-  const double c = std::cos(x_(2));
-  const double s = std::sin(x_(2));
-  const Vec2 away_M{c * tag.p_R_m.x() - s * tag.p_R_m.y(), s * tag.p_R_m.x() + c * tag.p_R_m.y()};
-  Eigen::Matrix2d turn;
-  turn << c, -s, s, c;
-  // p_M = p + R(yaw) p_R. What is known of the direction alone puts the tag the further the higher it hangs.
-  P_.block(j, 0, 1, j) = P_.block(0, 0, 1, j) - away_M.y() * P_.block(2, 0, 1, j);
-  P_.block(j + 1, 0, 1, j) = P_.block(1, 0, 1, j) + away_M.x() * P_.block(2, 0, 1, j);
-  x_(j + 3) = 0.0;
-  P_.block(j + 2, 0, 2, j).setZero();
-  P_.block(j + kEcho, 0, echoes_, j).setZero();
-  P_.block(0, j, j, per_tag_) = P_.block(j, 0, per_tag_, j).transpose();
-  const double z2 = squared(tag.height_sigma_m);
-  const Vec2 by_height = away_M / (tag.height_m - model_.antennas.front().at_R_m.z());
-  Eigen::Matrix<double, 2, 3> G;
-  G << 1.0, 0.0, -away_M.y(), 0.0, 1.0, away_M.x();
-  auto own = P_.block(j, j, per_tag_, per_tag_);
-  begin_echoes(j);
-  own.topLeftCorner(2, 2) = G * P_.topLeftCorner<3, 3>() * G.transpose() +
-                            turn * tag.covariance_R_m2 * turn.transpose() +
-                            z2 * by_height * by_height.transpose();
-  own.block(0, 2, 2, 1) = z2 * by_height;
-  own.block(2, 0, 1, 2) = z2 * by_height.transpose();
-  own(2, 2) = z2;
-  own(3, 3) = kUnknownPhase2;
-  n_ += per_tag_;
-  ids_.push_back(tag.id);
-  become_directions(tags() - 1, {x_(0) + away_M.x(), x_(1) + away_M.y(), tag.height_m});
-  return true;
-}
-
-bool JointFilter::restore(int id, const Eigen::Vector3d& p_M_m, const Eigen::Matrix3d& covariance_m2) {
-  assert(!knows(id));
-  if (tags() >= kMostTags) {
-    return false;
-  }
-  const int j = n_;
-  x_(j + 3) = 0.0;
-  P_.block(j, 0, per_tag_, j).setZero();
-  P_.block(0, j, j, per_tag_).setZero();
-  begin_echoes(j);
-  P_.block<3, 3>(j, j) = covariance_m2;
-  P_(j + 3, j + 3) = kUnknownPhase2;
-  n_ += per_tag_;
-  ids_.push_back(id);
-  become_directions(tags() - 1, p_M_m);
-  return true;
-}
-
-void JointFilter::remove(int id) {
-  const int gone = slot(id);
-  assert(gone >= 0);
-  const int last = tags() - 1;
-  const int j = base_ + per_tag_ * gone;
-  const int k = base_ + per_tag_ * last;
-  if (gone != last) {
-    x_.segment(j, per_tag_) = x_.segment(k, per_tag_);
-    // First the columns, then the rows with the moved block's own corner.
-    P_.block(0, j, n_, per_tag_) = P_.block(0, k, n_, per_tag_);
-    P_.block(j, 0, per_tag_, n_) = P_.block(k, 0, per_tag_, n_);
-    ids_[static_cast<std::size_t>(gone)] = ids_.back();
-    anchors_M_m_[static_cast<std::size_t>(gone)] = anchors_M_m_[static_cast<std::size_t>(last)];
-  }
-  ids_.pop_back();
-  n_ -= per_tag_;
-}
-
-Eigen::Vector3d JointFilter::tag_M_m(int id) const {
-  const int s = slot(id);
-  const int j = base_ + per_tag_ * s;
-  const Vec2 u = x_.segment<2>(j);
-  const Vec2 flat = anchors_M_m_[static_cast<std::size_t>(s)] +
-                    (x_(j + 2) - antenna_height_m_) / std::sqrt(1.0 - u.squaredNorm()) * u;
-  return {flat.x(), flat.y(), x_(j + 2)};
-}
-
-Eigen::Matrix3d JointFilter::by_direction(int slot) const {
-  const int j = base_ + per_tag_ * slot;
-  const Vec2 u = x_.segment<2>(j);
-  const double g = 1.0 / std::sqrt(1.0 - u.squaredNorm());
-  Eigen::Matrix3d J = Eigen::Matrix3d::Zero();
-  J.topLeftCorner<2, 2>() =
-      (x_(j + 2) - antenna_height_m_) * (g * Eigen::Matrix2d::Identity() + g * g * g * u * u.transpose());
-  J.topRightCorner<2, 1>() = g * u;
-  J(2, 2) = 1.0;
-  return J;
-}
-
-Eigen::Matrix3d JointFilter::tag_covariance(int id) const {
-  const Eigen::Matrix3d J = by_direction(slot(id));
-  return J * P_.block<3, 3>(state_of(id), state_of(id)) * J.transpose();
-}
-
-double JointFilter::anchor_way_m(int slot) const {
-  const int j = base_ + per_tag_ * slot;
-  return 2.0 * (x_(j + 2) - antenna_height_m_) / std::sqrt(1.0 - x_.segment<2>(j).squaredNorm());
-}
-
-Eigen::Matrix4d JointFilter::by_states(int slot) const {
-  const int j = base_ + per_tag_ * slot;
-  const Vec2 u = x_.segment<2>(j);
-  const double g = 1.0 / std::sqrt(1.0 - u.squaredNorm());
-  const double k = model_.phase_sign * model_.wave_number(0.0);
-  Eigen::Matrix4d J = Eigen::Matrix4d::Identity();
-  J.topLeftCorner<3, 3>() = by_direction(slot);
-  J.block<1, 2>(3, 0) = -2.0 * k * (x_(j + 2) - antenna_height_m_) * g * g * g * u.transpose();
-  J(3, 2) = -2.0 * k * g;
-  return J;
-}
-
-void JointFilter::become_directions(int slot, const Eigen::Vector3d& p_M_m) {
-  const int j = base_ + per_tag_ * slot;
-  const Vec2 away = p_M_m.head<2>() - x_.head<2>();
-  const double above_m = p_M_m.z() - antenna_height_m_;
-  anchors_M_m_[static_cast<std::size_t>(slot)] = x_.head<2>();
-  x_.segment<2>(j) = away / std::sqrt(away.squaredNorm() + above_m * above_m);
-  x_(j + 2) = p_M_m.z();
-  keep_in_disc(j);
-  x_(j + 3) += model_.phase_sign * model_.wave_number(0.0) * anchor_way_m(slot);
-  turn_states(j, by_states(slot).inverse());
-}
-
-void JointFilter::reanchor(int slot) {
-  const Eigen::Vector3d p = tag_M_m(id_in_slot(slot));
-  const int j = base_ + per_tag_ * slot;
-  turn_states(j, by_states(slot));
-  x_(j + 3) -= model_.phase_sign * model_.wave_number(0.0) * anchor_way_m(slot);
-  become_directions(slot, p);
-}
-
-void JointFilter::turn_states(int j, const Eigen::Matrix4d& J) {
-  for (int i = 0; i < n_; ++i) {
-    const Eigen::Vector4d column = P_.block<4, 1>(j, i);
-    P_.block<4, 1>(j, i) = J * column;
-  }
-  for (int i = 0; i < n_; ++i) {
-    const Eigen::RowVector4d row = P_.block<1, 4>(i, j);
-    P_.block<1, 4>(i, j) = row * J.transpose();
-  }
-}
-
-void JointFilter::keep_in_disc(int j) {
-  const double u = x_.segment<2>(j).norm();
-  if (u > kRim) {
-    x_.segment<2>(j) *= kRim / u;
-  }
-}
-
-void JointFilter::forget_phase(int id) {
-  const int j = state_of(id) + 3;
-  P_.col(j).head(n_).setZero();
-  P_.row(j).head(n_).setZero();
-  P_(j, j) = kUnknownPhase2;
-}
-
 PhasePrediction JointFilter::predict(int id, const UhfRead& read, const Pose2& X_now_then) const {
   const int port = read.antenna - 1;
   const int j = state_of(id);
@@ -451,6 +245,13 @@ JointFilter::Outcome JointFilter::read(int id, const UhfRead& read, const Pose2&
     correct(out.innovation_rad, out.variance);
   }
   return out;
+}
+
+void JointFilter::inform(int id, const UhfRead& read) {
+  age_echoes();
+  const PhasePrediction p = predict(id, read, Pose2{});
+  const double from_state = project(p.H);
+  correct(0.0, from_state + model_.noise.variance(p.slant_m, read.rssi_dbm));
 }
 
 void JointFilter::fix_over(int id, const Vec2& offset_M_m, const Vec2& along_M, double along_sigma_m,

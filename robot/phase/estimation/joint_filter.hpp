@@ -62,8 +62,8 @@ struct PhasePrediction {
 /// with L the way over the tag and k_0 the wave number of the centre, so that what the tag's own phase keeps
 /// through all channels is one number, and a hop tells L itself.
 ///
-/// At most kMostTags tags at once, so that a read costs a bounded time: 0.6 us with 3 tags, 2 us with 12
-/// (tests/robot/phase/estimation/estimator_cost_test.cpp prints it). Never allocates after construction.
+/// At most kMostTags tags at once, so that a read costs a bounded time (estimator_cost_test.cpp prints what a
+/// step takes). Never allocates after construction.
 class JointFilter {
  public:
   static constexpr int kMostTags = 12;
@@ -108,6 +108,9 @@ class JointFilter {
   };
   /// \pre knows(id)  \param noise_scale2  factor on the model's variance
   Outcome read(int id, const UhfRead& read, const Pose2& X_now_then, double noise_scale2, double gate_sigmas);
+  /// Covariance of a read made now whose phase is as expected, without gate and without doubt which turn of
+  /// the phase it is: what the read can say at most. \pre knows(id)
+  void inform(int id, const UhfRead& read);
   /// The robot's middle is over the tag, somewhere within these. \pre knows(id)
   void fix_over(int id, const Vec2& offset_M_m, const Vec2& along_M, double along_sigma_m,
                 double across_sigma_m);

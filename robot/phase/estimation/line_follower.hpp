@@ -12,9 +12,9 @@ struct FollowerConfig {
   double speed_mps{0.2};  ///< Gueaieb & Miah, section V
   /// Brakes to the corner and turns on the spot; else drives through at speed_mps.
   bool stop_at_corners{false};
-  double braking_mps2{0.3};         ///< algorithms study, A.4
-  double turn_radps{2.0};           ///< on the spot. Chosen: 0.235 m/s at the wheels
-  double turn_braking_radps2{6.0};  ///< chosen: half of what a Create 2's wheels do (0.5 m/s in 0.3 s)
+  double braking_mps2{0.5};  ///< chosen: from 0.2 m/s in 4 cm; robot/mapping asks 0.8 of the same wheels
+  double turn_radps{3.0};    ///< on the spot. Chosen: 0.35 m/s at the wheels
+  double turn_braking_radps2{8.0};  ///< as robot/mapping asks of the same wheels
   /// Corners sharper than this are stopped at.
   double corner_rad{rad_from_deg(8.0)};
   double gain_per_s{8.0};     ///< K of the law (A.4, its sharper pair)

@@ -47,6 +47,25 @@ CeilingMissionConfig mission_for(const PhaseExperiment& experiment, const Kinema
   return config;
 }
 
+PathBoundTask bound_for(const PhaseExperiment& experiment, const CeilingMissionConfig& config,
+                        const KinematicRadio& radio) {
+  PathBoundTask task;
+  task.reader = config.estimator.reader;
+  task.wheels = config.estimator.wheels;
+  task.height_sigma_m = config.estimator.height_sigma_m;
+  for (const KinematicTag& tag : experiment.tags) {
+    task.tags_m.emplace_back(tag.at_m.x(), tag.at_m.y(), tag.height_m);
+  }
+  task.route = experiment.order;
+  task.X_WR_start = experiment.X_WR_start;
+  task.speed_mps = config.follower.speed_mps;
+  task.rate_hz = radio.rate_hz;
+  task.slot_s = radio.simultaneous ? 0.0 : radio.slot_s;
+  task.tags_ahead = config.tags_ahead;
+  task.tags_behind = config.tags_behind;
+  return task;
+}
+
 bool MissionRun::said(CeilingEventKind kind) const {
   return std::any_of(events.begin(), events.end(), [kind](const CeilingEvent& e) { return e.kind == kind; });
 }

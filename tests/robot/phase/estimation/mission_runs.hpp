@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "robot/phase/estimation/ceiling_mission.hpp"
+#include "robot/phase/estimation/path_bound.hpp"
 #include "tests/robot/phase/kinematic_robot.hpp"
 #include "tests/robot/phase/phase_experiments.hpp"
 
@@ -18,6 +19,10 @@ namespace sensotwin::robot::testing {
 /// The mission for an experiment: at constant speed, or braking and turning on the spot.
 [[nodiscard]] CeilingMissionConfig mission_for(const PhaseExperiment& experiment, const KinematicRadio& radio,
                                                bool stop_at_corners);
+
+/// The bound for estimating on the way of an experiment.
+[[nodiscard]] PathBoundTask bound_for(const PhaseExperiment& experiment, const CeilingMissionConfig& config,
+                                      const KinematicRadio& radio);
 
 struct MissionRun {
   bool arrived{false};

@@ -118,7 +118,7 @@ const std::vector<Mistake> kMissionMistakes{
      "s.yaml:12:32: error: mission.map.pace: is 'papers'; expected a section, or the word own or paper (did "
      "you mean 'paper'?)"},
     {"AMissionWithoutKind", "mission:\n  map: { explorer: idfm }", "mission: {}",
-     "s.yaml:11:1: error: mission: needs map; none is given"},
+     "s.yaml:11:1: error: mission: needs one of: map, phase; none is given"},
     {"AnExpectationWithoutBounds", "{ min: 1 }", "{}",
      "s.yaml:14:3: error: expect.tiles_mapped: needs min or max or mean or median or quantile_2_5 or "
      "quantile_5 or quantile_95 or quantile_97_5; none is given"},

@@ -89,7 +89,7 @@ TEST(PhaseScene, ReadsAProfileThatTwinCalibrateWrote) {
   EXPECT_EQ(scene.world.radio->radio.noise_floor_rad, 0.011);
   EXPECT_EQ(scene.world.radio->radio.noise_scale, 2.0) << "the scene's own key goes before the file's";
   EXPECT_EQ(messages(edited(kTagScene, "profile: paper", "file: nowhere.yaml")),
-            "s.yaml:10:18: error: world.radio.file: nowhere.yaml: cannot be read: No such file or directory");
+            "s.yaml:10:18: error: world.radio.file: nowhere.yaml: no such file; expected a radio profile");
 }
 
 TEST(PhaseScene, TellsWhatCannotBe) {

@@ -16,6 +16,8 @@ constexpr std::uint8_t kTrodden = 0x40;
 /// Two hits are needed, so that one stray reading moves nothing.
 constexpr int kHitWeight = 2;
 constexpr std::uint8_t kEvidenceNeeded = 4;
+/// As much as hits from a place known badly add up to: believed, and just so.
+constexpr int kDoubtfulEvidence = 5;
 
 }  // namespace
 
@@ -43,10 +45,11 @@ std::uint8_t& FloorGrid::at(Cell c) {
   return const_cast<std::uint8_t&>(*find(c));
 }
 
-void FloorGrid::add_hit(const Vec2& p_M_m) {
+void FloorGrid::add_hit(const Vec2& p_M_m, Seen seen) {
   std::uint8_t& cell = at(cell_at(p_M_m));
   const auto evidence = static_cast<std::uint8_t>(cell & kEvidenceMask);
-  const auto more = static_cast<std::uint8_t>(std::min<int>(evidence + kHitWeight, kEvidenceMask));
+  const int most = std::max<int>(evidence, seen == Seen::kFromKnownPlace ? kEvidenceMask : kDoubtfulEvidence);
+  const auto more = static_cast<std::uint8_t>(std::min<int>(evidence + kHitWeight, most));
   cell = static_cast<std::uint8_t>((cell & ~kEvidenceMask) | more);
   if (evidence < kEvidenceNeeded && more >= kEvidenceNeeded) {
     ++revision_;
@@ -74,15 +77,18 @@ void FloorGrid::forbid_centre(const Vec2& p_M_m) {
   }
 }
 
-void FloorGrid::forget_touches(const Vec2& round_M_m, double radius_m) {
+void FloorGrid::forget_doubtful(const Vec2& round_M_m, double radius_m) {
   const Cell low = cell_at(round_M_m - Vec2{radius_m, radius_m});
   const Cell high = cell_at(round_M_m + Vec2{radius_m, radius_m});
   for (int y = low.y; y <= high.y; ++y) {
     for (int x = low.x; x <= high.x; ++x) {
-      if (centre_forbidden({x, y}) && (centre_m({x, y}) - round_M_m).norm() <= radius_m) {
-        at({x, y}) &= static_cast<std::uint8_t>(~kForbidden);
-        ++revision_;
+      const std::uint8_t* known = find({x, y});
+      if (known == nullptr || (centre_m({x, y}) - round_M_m).norm() > radius_m) {
+        continue;
       }
+      const bool doubtful = (*known & kEvidenceMask) <= kDoubtfulEvidence;
+      at({x, y}) &= static_cast<std::uint8_t>(~(kForbidden | (doubtful ? kEvidenceMask : 0)));
+      ++revision_;
     }
   }
 }

@@ -12,6 +12,7 @@ constexpr std::uint8_t kEvidenceMask = 0x0F;
 constexpr std::uint8_t kForbidden = 0x10;
 constexpr std::uint8_t kSwept = 0x20;
 constexpr std::uint8_t kTrodden = 0x40;
+constexpr std::uint8_t kSeenWell = 0x80;
 /// A hit counts twice, a beam that went through once: a leg is seen by few of the beams that pass near it.
 /// Two hits are needed, so that one stray reading moves nothing.
 constexpr int kHitWeight = 2;
@@ -50,7 +51,8 @@ void FloorGrid::add_hit(const Vec2& p_M_m, Seen seen) {
   const auto evidence = static_cast<std::uint8_t>(cell & kEvidenceMask);
   const int most = std::max<int>(evidence, seen == Seen::kFromKnownPlace ? kEvidenceMask : kDoubtfulEvidence);
   const auto more = static_cast<std::uint8_t>(std::min<int>(evidence + kHitWeight, most));
-  cell = static_cast<std::uint8_t>((cell & ~kEvidenceMask) | more);
+  const std::uint8_t well = seen == Seen::kFromKnownPlace ? kSeenWell : 0;
+  cell = static_cast<std::uint8_t>((cell & ~kEvidenceMask) | more | well);
   if (evidence < kEvidenceNeeded && more >= kEvidenceNeeded) {
     ++revision_;
   }
@@ -63,7 +65,11 @@ void FloorGrid::see_through(const Vec2& from_M_m, const Vec2& to_M_m) {
     const Cell c = cell_at(from_M_m + way * ((i + 0.5) / steps));
     const std::uint8_t* known = find(c);
     if (known != nullptr && (*known & kEvidenceMask) != 0) {
-      --at(c);
+      std::uint8_t& cell = at(c);
+      --cell;
+      if ((cell & kEvidenceMask) == 0) {
+        cell &= static_cast<std::uint8_t>(~kSeenWell);
+      }
       ++revision_;
     }
   }
@@ -86,7 +92,7 @@ void FloorGrid::forget_doubtful(const Vec2& round_M_m, double radius_m) {
       if (known == nullptr || (centre_m({x, y}) - round_M_m).norm() > radius_m) {
         continue;
       }
-      const bool doubtful = (*known & kEvidenceMask) <= kDoubtfulEvidence;
+      const bool doubtful = (*known & kSeenWell) == 0;
       at({x, y}) &= static_cast<std::uint8_t>(~(kForbidden | (doubtful ? kEvidenceMask : 0)));
       ++revision_;
     }

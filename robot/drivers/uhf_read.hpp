@@ -18,6 +18,9 @@ struct UhfRead {
   /// As the reader measured it, in [0, 2 pi); whether it grows or falls with distance is the reader's matter
   /// (data study, 3.2: falls with a Speedway R420).
   double phase_rad{0.0};
+  /// False when the reader did not tell a phase (no Impinj extensions): phase_rad is 0 then, and means
+  /// nothing.
+  bool has_phase{true};
   double rssi_dbm{0.0};
 };
 

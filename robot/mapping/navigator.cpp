@@ -16,7 +16,8 @@ constexpr double kLookStep_rad = 0.04;
 constexpr int kLookSteps = 20;
 /// The sweep clears this much less than the body, for the error of the pose.
 constexpr double kSweepMargin_m = 0.03;
-/// What is seen from a place known better than this is believed for long. Chosen: two cells of the floor grid.
+/// What is seen from a place known better than this is believed for long. Chosen: two cells of the floor
+/// grid.
 constexpr double kKnownPlace_m = 0.05;
 /// A trail is remembered where the place is known better than this. Chosen: two cells.
 constexpr double kTreadSigma_m = 0.05;

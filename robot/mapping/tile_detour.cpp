@@ -96,6 +96,11 @@ std::optional<Tile> TileMover::base_for(Tile target) const {
   return std::nullopt;
 }
 
+bool TileMover::way_seems_open(Tile target) {
+  dare(Squeeze::kNo);
+  return base_for(target).has_value();
+}
+
 Task<MoveEnd> TileMover::detour(Tile target, Squeeze squeeze) {
   const int plans_max = dare(squeeze);
   if (squeeze == Squeeze::kByTouch) {

@@ -38,6 +38,8 @@ class TileMover {
   Task<MoveEnd> go(Tile target);
   /// Goes to `target` by any way the floor may offer.
   Task<MoveEnd> detour(Tile target, Squeeze squeeze);
+  /// Whether a detour to `target` has a plan to begin with.
+  [[nodiscard]] bool way_seems_open(Tile target);
   /// Turns to both sides and back, so that the light bumper has seen everything round the robot.
   Task<> look_round();
   /// Lost: looks for any tag in growing rings, farther than a move does. \returns false when none was found

@@ -12,10 +12,13 @@ constexpr std::uint8_t kEvidenceMask = 0x0F;
 constexpr std::uint8_t kForbidden = 0x10;
 constexpr std::uint8_t kSwept = 0x20;
 constexpr std::uint8_t kTrodden = 0x40;
+constexpr std::uint8_t kSeenWell = 0x80;
 /// A hit counts twice, a beam that went through once: a leg is seen by few of the beams that pass near it.
 /// Two hits are needed, so that one stray reading moves nothing.
 constexpr int kHitWeight = 2;
 constexpr std::uint8_t kEvidenceNeeded = 4;
+/// As much as hits from a place known badly add up to: believed, and just so.
+constexpr int kDoubtfulEvidence = 5;
 
 }  // namespace
 
@@ -43,11 +46,13 @@ std::uint8_t& FloorGrid::at(Cell c) {
   return const_cast<std::uint8_t&>(*find(c));
 }
 
-void FloorGrid::add_hit(const Vec2& p_M_m) {
+void FloorGrid::add_hit(const Vec2& p_M_m, Seen seen) {
   std::uint8_t& cell = at(cell_at(p_M_m));
   const auto evidence = static_cast<std::uint8_t>(cell & kEvidenceMask);
-  const auto more = static_cast<std::uint8_t>(std::min<int>(evidence + kHitWeight, kEvidenceMask));
-  cell = static_cast<std::uint8_t>((cell & ~kEvidenceMask) | more);
+  const int most = std::max<int>(evidence, seen == Seen::kFromKnownPlace ? kEvidenceMask : kDoubtfulEvidence);
+  const auto more = static_cast<std::uint8_t>(std::min<int>(evidence + kHitWeight, most));
+  const std::uint8_t well = seen == Seen::kFromKnownPlace ? kSeenWell : 0;
+  cell = static_cast<std::uint8_t>((cell & ~kEvidenceMask) | more | well);
   if (evidence < kEvidenceNeeded && more >= kEvidenceNeeded) {
     ++revision_;
   }
@@ -60,7 +65,11 @@ void FloorGrid::see_through(const Vec2& from_M_m, const Vec2& to_M_m) {
     const Cell c = cell_at(from_M_m + way * ((i + 0.5) / steps));
     const std::uint8_t* known = find(c);
     if (known != nullptr && (*known & kEvidenceMask) != 0) {
-      --at(c);
+      std::uint8_t& cell = at(c);
+      --cell;
+      if ((cell & kEvidenceMask) == 0) {
+        cell &= static_cast<std::uint8_t>(~kSeenWell);
+      }
       ++revision_;
     }
   }
@@ -74,15 +83,18 @@ void FloorGrid::forbid_centre(const Vec2& p_M_m) {
   }
 }
 
-void FloorGrid::forget_touches(const Vec2& round_M_m, double radius_m) {
+void FloorGrid::forget_doubtful(const Vec2& round_M_m, double radius_m) {
   const Cell low = cell_at(round_M_m - Vec2{radius_m, radius_m});
   const Cell high = cell_at(round_M_m + Vec2{radius_m, radius_m});
   for (int y = low.y; y <= high.y; ++y) {
     for (int x = low.x; x <= high.x; ++x) {
-      if (centre_forbidden({x, y}) && (centre_m({x, y}) - round_M_m).norm() <= radius_m) {
-        at({x, y}) &= static_cast<std::uint8_t>(~kForbidden);
-        ++revision_;
+      const std::uint8_t* known = find({x, y});
+      if (known == nullptr || (centre_m({x, y}) - round_M_m).norm() > radius_m) {
+        continue;
       }
+      const bool doubtful = (*known & kSeenWell) == 0;
+      at({x, y}) &= static_cast<std::uint8_t>(~(kForbidden | (doubtful ? kEvidenceMask : 0)));
+      ++revision_;
     }
   }
 }

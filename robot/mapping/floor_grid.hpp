@@ -30,14 +30,16 @@ class FloorGrid {
   }
   [[nodiscard]] static Vec2 centre_m(Cell c) { return {(c.x + 0.5) * kCell_m, (c.y + 0.5) * kCell_m}; }
 
-  /// A beam or the bumper met something here.
-  void add_hit(const Vec2& p_M_m);
+  /// A beam met something here. What was seen from a place known badly is forgotten as soon as a few beams go
+  /// through it; what was seen from a place known well is not.
+  enum class Seen : std::uint8_t { kFromKnownPlace, kFromDoubtfulPlace };
+  void add_hit(const Vec2& p_M_m, Seen seen = Seen::kFromKnownPlace);
   /// A beam went from one point to the other and met nothing.
   void see_through(const Vec2& from_M_m, const Vec2& to_M_m);
   /// The bumper was pressed with the robot here: the robot's centre cannot be at `p_M_m`.
   void forbid_centre(const Vec2& p_M_m);
-  /// Forgets every touch within `radius_m`.
-  void forget_touches(const Vec2& round_M_m, double radius_m);
+  /// Forgets every touch within `radius_m`, and what was only seen from places known badly.
+  void forget_doubtful(const Vec2& round_M_m, double radius_m);
   /// The body stood at `centre`: whatever was believed within `radius_m` of it is not there.
   void clear_disc(const Vec2& centre_M_m, double radius_m);
 

@@ -210,6 +210,42 @@ Task<bool> MappingMission::squeeze() {
       }
     }
   }
+  const bool leapt = co_await leap();
+  co_return leapt;
+}
+
+std::set<Tile> MappingMission::beyond_neighbours() const {
+  std::set<Tile> beyond;
+  for (const auto& [tile, tag] : map_.tiles()) {
+    for (int dy = -2; dy <= 2; ++dy) {
+      for (int dx = -2; dx <= 2; ++dx) {
+        const Tile next{tile.column + dx, tile.row + dy};
+        if (!map_.visited(next) && !no_way_.contains(next) && !no_tag_.contains(next)) {
+          beyond.insert(next);
+        }
+      }
+    }
+  }
+  return beyond;
+}
+
+Task<bool> MappingMission::leap() {
+  if (no_way_.empty()) {
+    co_return false;  // an explorer that goes straight only
+  }
+  for (const Tile tile : beyond_neighbours()) {
+    if (leapt_.contains(tile) || !mover_.way_seems_open(tile)) {
+      continue;
+    }
+    leapt_.insert(tile);
+    const bool well = co_await perform({.target = tile, .detour = true});
+    if (!well) {
+      co_return false;
+    }
+    if (map_.visited(tile)) {
+      co_return true;
+    }
+  }
   co_return false;
 }
 

@@ -53,6 +53,10 @@ class MappingMission {
   /// Tries the tiles to which no way was found once more, by narrower ways. \returns true when one was
   /// reached
   Task<bool> squeeze();
+  /// Goes for tiles that no visited tile borders on, where a way seems open: behind one that cannot be
+  /// entered there may be more. \returns true when one was reached
+  Task<bool> leap();
+  [[nodiscard]] std::set<Tile> beyond_neighbours() const;
   [[nodiscard]] std::optional<Tile> next_doubtful();
   [[nodiscard]] bool looks_solid(Tile tile) const;
   void give_up(Tile tile);
@@ -73,6 +77,7 @@ class MappingMission {
   std::set<Tile> no_way_;                    ///< given up by a detour
   std::set<Tile> tried_again_;
   std::map<Squeeze, std::set<Tile>> squeezed_;  ///< tried by narrower ways
+  std::set<Tile> leapt_;                        ///< tried though no visited tile borders on it
   Squeeze squeeze_{Squeeze::kNo};
   bool finished_{false};
   bool succeeded_{false};

@@ -16,6 +16,9 @@ constexpr double kLookStep_rad = 0.04;
 constexpr int kLookSteps = 20;
 /// The sweep clears this much less than the body, for the error of the pose.
 constexpr double kSweepMargin_m = 0.03;
+/// What is seen from a place known better than this is believed for long. Chosen: two cells of the floor
+/// grid.
+constexpr double kKnownPlace_m = 0.05;
 /// A trail is remembered where the place is known better than this. Chosen: two cells.
 constexpr double kTreadSigma_m = 0.05;
 /// Placed by hand over a tag: within the zone, square to the tiles within a few degrees.
@@ -77,6 +80,8 @@ void Navigator::sense_obstacles(const Sensed& sensed) {
   steps_since_look_ = 0;
   looked_at_m_ = X_MR.p_m;
   looked_yaw_rad_ = X_MR.yaw_rad;
+  const auto seen = filter_.position_sigma_m() < kKnownPlace_m ? FloorGrid::Seen::kFromKnownPlace
+                                                               : FloorGrid::Seen::kFromDoubtfulPlace;
   for (std::size_t i = 0; i < sensed.light_bump.size(); ++i) {
     const auto range_m = config_.light_bumper.range_m(sensed.light_bump[i]);
     const double yaw = X_MR.yaw_rad + config_.light_bumper.yaw_R_rad[i];
@@ -86,7 +91,7 @@ void Navigator::sense_obstacles(const Sensed& sensed) {
     const double seen_m = range_m.value_or(config_.light_bumper.trusted_range_m) - FloorGrid::kCell_m;
     floor_.see_through(shell, shell + std::max(seen_m, 0.0) * beam);
     if (range_m) {
-      floor_.add_hit(shell + *range_m * beam);
+      floor_.add_hit(shell + *range_m * beam, seen);
     }
   }
 }

@@ -22,8 +22,8 @@ constexpr double kTouchClearance_m = 0.115;
 constexpr double kInside_m = 0.03;
 constexpr double kTightInside_m = 0.02;
 constexpr double kTouchInside_m = 0.005;
-/// What was touched this near the target is forgotten then: it may have been felt from a place known badly.
-constexpr double kForget_m = 0.6;
+/// What was touched this near the target is forgotten then, and what was seen from places known badly.
+constexpr double kForget_m = 0.35;
 constexpr double kComfort_m = 0.205;
 /// The box searched for a way: round robot and target by these, one after the other.
 constexpr double kNear_m = 0.8;
@@ -96,10 +96,15 @@ std::optional<Tile> TileMover::base_for(Tile target) const {
   return std::nullopt;
 }
 
+bool TileMover::way_seems_open(Tile target) {
+  dare(Squeeze::kNo);
+  return base_for(target).has_value();
+}
+
 Task<MoveEnd> TileMover::detour(Tile target, Squeeze squeeze) {
   const int plans_max = dare(squeeze);
   if (squeeze == Squeeze::kByTouch) {
-    navigator_.floor().forget_touches(navigator_.centre_m(target), kForget_m);
+    navigator_.floor().forget_doubtful(navigator_.centre_m(target), kForget_m);
   }
   ++log_.counts.detours;
   log_.add(io_.sensed.stamp, MissionEventKind::kDetourBegun, target);
@@ -155,7 +160,8 @@ Task<MoveEnd> TileMover::approach(Tile target, int plans_max) {
     if (navigator_.tag_in_field() && map_.tile_of(*navigator_.tag_in_field()) == target) {
       co_return MoveEnd::kArrived;
     }
-    if (navigator_.uncertain() && !map_.visited(target)) {
+    if ((navigator_.uncertain() || astray_) && !map_.visited(target)) {
+      astray_ = false;
       const bool sure = co_await relocalise();
       if (!sure) {
         co_return MoveEnd::kLost;
@@ -207,7 +213,12 @@ Task<std::optional<MoveEnd>> TileMover::walk(Tile target, std::vector<Vec2> corn
         break;
       }
       if (const auto tag = navigator_.identified()) {
-        if (const auto end = pass_tag(*tag, target)) {
+        const auto end = pass_tag(*tag, target);
+        if (astray_) {
+          co_await pilot_.brake();
+          co_return std::nullopt;
+        }
+        if (end) {
           co_await pilot_.brake();
           co_await hold_for_write(at_);
           co_return end;
@@ -246,6 +257,10 @@ std::optional<MoveEnd> TileMover::pass_tag(TagUid tag, Tile target) {
   }
   if (!map_.tile_of(tag) && navigator_.uncertain()) {
     return std::nullopt;  // a new tag, but who knows which
+  }
+  if (!map_.tile_of(tag) && misplaced(navigator_.nearest_tile(navigator_.pose().p_m))) {
+    astray_ = true;
+    return std::nullopt;
   }
   const auto end = judge_tag(tag, std::nullopt, target);
   // Known tags on the way are passed by; a new one is written first.

@@ -16,10 +16,17 @@ constexpr double kEasyClearance_m = 0.185;
 constexpr double kAimMargin_m = 0.02;
 /// A tag further than this from where the robot thinks it is cannot be the one it was driving to.
 constexpr double kBelieve_m = 0.25;
+/// A new tag read this much farther from the middle of its tile than its zone reaches belongs to nobody knows
+/// which: the robot has gone astray and must find itself first. Chosen: errors from here to a quarter of a
+/// metre are noticed, before they are large enough to take one tile for the next.
+constexpr double kMisplaced_m = 0.12;
 constexpr int kWriteAttempts = 4;
 /// Rings of a search, 11 cm apart: as far as a tag may be from where it was expected; and, when nothing was
 /// found, as far as the next tile's.
 constexpr int kSearchRings = 3;
+/// Stopped by something when the tag is nearly in reach, the robot feels for it along what stopped it.
+constexpr double kNearly_m = 0.05;
+constexpr int kFeelRings = 1;
 constexpr int kLostRings = 5;
 
 double yaw_of(Direction d) {
@@ -107,6 +114,10 @@ void TileMover::write_ended(const TileWriteEnded& ended) {
   }
 }
 
+bool TileMover::misplaced(Tile tile) const {
+  return (navigator_.pose().p_m - navigator_.centre_m(tile)).norm() > config_.read_radius_m + kMisplaced_m;
+}
+
 std::optional<MoveEnd> TileMover::judge_tag(TagUid tag, std::optional<Tile> from, Tile target) {
   if (const auto known = map_.tile_of(tag)) {
     if (*known == from) {
@@ -124,6 +135,9 @@ std::optional<MoveEnd> TileMover::judge_tag(TagUid tag, std::optional<Tile> from
   const Tile nearest = navigator_.nearest_tile(navigator_.pose().p_m);
   const bool near_target = (navigator_.pose().p_m - navigator_.centre_m(target)).norm() < kBelieve_m;
   const Tile tile = near_target ? target : nearest;
+  if (misplaced(tile)) {
+    return MoveEnd::kLost;
+  }
   if (!map_.mark_visited(tile, tag)) {
     log_.add(io_.sensed.stamp, MissionEventKind::kDisplaced, tile, tag);
     return MoveEnd::kLost;
@@ -256,6 +270,12 @@ Task<MoveEnd> TileMover::roll(Tile from, Tile target, Direction d) {
         co_return MoveEnd::kNoTag;
       }
       if (!nudges.away_from(side, s)) {
+        if (s > config_.tile_m - config_.read_radius_m - kNearly_m) {
+          const std::optional<MoveEnd> felt = co_await feel_for(from, target);
+          if (felt) {
+            co_return *felt;
+          }
+        }
         co_return co_await give_way(from, line);
       }
       co_await pilot_.back_along(line, s - config_.back_off_m, nudges.aim_left_m());
@@ -273,6 +293,15 @@ Task<MoveEnd> TileMover::roll(Tile from, Tile target, Direction d) {
                   nudges.aim_left_m());
     co_await io_.next;
   }
+}
+
+Task<std::optional<MoveEnd>> TileMover::feel_for(Tile from, Tile target) {
+  std::optional<MoveEnd> end = co_await search(from, target, kFeelRings, TrustFloor::kNo);
+  if (!end) {
+    const TagWanted known_ones{.ignored = std::nullopt, .new_ones = false};
+    co_await creep_to(navigator_.centre_m(from), known_ones);
+  }
+  co_return end;
 }
 
 Task<MoveEnd> TileMover::give_way(Tile from, Line line) {

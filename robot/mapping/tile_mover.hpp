@@ -38,6 +38,8 @@ class TileMover {
   Task<MoveEnd> go(Tile target);
   /// Goes to `target` by any way the floor may offer.
   Task<MoveEnd> detour(Tile target, Squeeze squeeze);
+  /// Whether a detour to `target` has a plan to begin with.
+  [[nodiscard]] bool way_seems_open(Tile target);
   /// Turns to both sides and back, so that the light bumper has seen everything round the robot.
   Task<> look_round();
   /// Lost: looks for any tag in growing rings, farther than a move does. \returns false when none was found
@@ -67,6 +69,9 @@ class TileMover {
   Task<> rest_at(double stop_m, double slowest_mps);
   Task<> face(Direction d);
   Task<MoveEnd> roll(Tile from, Tile target, Direction d);
+  /// Feels round the place of a tag that is nearly in reach. \returns nothing, and over `from` again, if in
+  /// vain
+  Task<std::optional<MoveEnd>> feel_for(Tile from, Tile target);
   Task<MoveEnd> give_way(Tile from, Line line);
   /// Looks for the tag of `target` round its place; that of `from` does not count. Any other tag ends the
   /// search too.
@@ -108,6 +113,8 @@ class TileMover {
   /// What the tag just read means for a move towards `target`; nothing while it is the one the robot came
   /// from.
   std::optional<MoveEnd> judge_tag(TagUid tag, std::optional<Tile> from, Tile target);
+  /// Too far from the middle of this tile for a tag in the field to be its own.
+  [[nodiscard]] bool misplaced(Tile tile) const;
   void arrive(Tile tile, TagUid tag, bool first);
   void begin_write(Tile tile, TagUid tag);
 
@@ -124,6 +131,7 @@ class TileMover {
   int write_attempts_{0};
   double clearance_m_{0.0};  ///< of the present detour
   double inside_m_{0.0};
+  bool astray_{false};  ///< met a new tag where none can be, and has not found itself since
 };
 
 }  // namespace sensotwin::robot

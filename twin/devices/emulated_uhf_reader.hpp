@@ -49,8 +49,9 @@ class EmulatedUhfReader final : private RoSpecListener {
 
   /// Time goes on to `now`: triggers, keepalives, the in-memory link. \param now  never earlier than before
   void step(robot::Instant now);
-  /// A tag has answered. \returns false, making nothing of it, while no ROSpec reads through that antenna
-  /// \pre readings come in the order of time, none before the last step's
+  /// A tag has answered. Best told in the order of time, before step() of that time; one that comes late
+  /// keeps its own time stamp. \returns false, making nothing of it, while no ROSpec reads through that
+  /// antenna
   bool report(const RadioReading& reading);
   /// Ports that read now, in the order of their turns; none while nothing is active.
   [[nodiscard]] std::span<const std::uint16_t> antennas() const { return ro_spec_.antennas(); }

@@ -81,6 +81,25 @@ TEST(FloorGrid, ForgetsWhatManyBeamsWentThrough) {
   EXPECT_FALSE(grid.swept(FloorGrid::cell_at(kThere_m))) << "seen through is not driven over";
 }
 
+TEST(FloorGrid, ForgetsSoonWhatWasSeenFromAPlaceKnownBadly) {
+  FloorGrid sure;
+  FloorGrid unsure;
+  for (int i = 0; i < 20; ++i) {
+    sure.add_hit(kThere_m);
+    unsure.add_hit(kThere_m, FloorGrid::Seen::kFromDoubtfulPlace);
+  }
+  const FloorGrid::Cell there = FloorGrid::cell_at(kThere_m);
+  EXPECT_TRUE(unsure.occupied(there));
+  for (int i = 0; i < 2; ++i) {
+    sure.see_through(kThere_m - Vec2{0.2, 0.0}, kThere_m + Vec2{0.2, 0.0});
+    unsure.see_through(kThere_m - Vec2{0.2, 0.0}, kThere_m + Vec2{0.2, 0.0});
+  }
+  EXPECT_TRUE(sure.occupied(there));
+  EXPECT_FALSE(unsure.occupied(there));
+  sure.add_hit(kThere_m, FloorGrid::Seen::kFromDoubtfulPlace);
+  EXPECT_TRUE(sure.occupied(there)) << "what was known for sure stays so";
+}
+
 TEST(FloorGrid, ForgetsNothingBehindTheEndOfABeam) {
   FloorGrid grid;
   put_obstacle(grid, kThere_m);
@@ -100,15 +119,24 @@ TEST(FloorGrid, ForbidsTheCentreWhereTheBumperWasPressed) {
   EXPECT_EQ(grid.revision(), 1u);
 }
 
-TEST(FloorGrid, ForgetsTouchesNearAPlaceAndKeepsThoseFarOff) {
+TEST(FloorGrid, ForgetsTouchesAndDoubtfulSightsNearAPlaceAndKeepsThoseFarOff) {
   FloorGrid grid;
   const Vec2 far_m = kThere_m + Vec2{0.7, 0.0};
   grid.forbid_centre(kThere_m);
   grid.forbid_centre(far_m);
-  grid.forget_touches(kThere_m, 0.6);
+  const Vec2 beside_m = kThere_m + Vec2{0.1, 0.0};
+  const Vec2 sure_m = kThere_m + Vec2{0.2, 0.0};
+  for (int i = 0; i < 4; ++i) {
+    grid.add_hit(beside_m, FloorGrid::Seen::kFromDoubtfulPlace);
+    grid.add_hit(sure_m);
+  }
+  const std::uint64_t before = grid.revision();
+  grid.forget_doubtful(kThere_m, 0.6);
   EXPECT_FALSE(grid.centre_forbidden(FloorGrid::cell_at(kThere_m)));
+  EXPECT_FALSE(grid.occupied(FloorGrid::cell_at(beside_m)));
+  EXPECT_TRUE(grid.occupied(FloorGrid::cell_at(sure_m)));
   EXPECT_TRUE(grid.centre_forbidden(FloorGrid::cell_at(far_m)));
-  EXPECT_EQ(grid.revision(), 3u);
+  EXPECT_GT(grid.revision(), before);
 }
 
 TEST(FloorGrid, RemembersItsTrailUnderWhateverComesLater) {

@@ -67,13 +67,13 @@ void MappingMission::give_up(Tile tile) {
   map_.mark_unreachable(tile);
 }
 
-Task<bool> MappingMission::perform(Move move) {
+Task<bool> MappingMission::perform(Move move, Squeeze squeeze) {
   const Instant begun = io_.sensed.stamp;
   const std::size_t before = map_.visited_count();
   const Tile from = mover_.at();
   MoveEnd end = MoveEnd::kLost;
   if (move.detour) {
-    end = co_await mover_.detour(move.target, squeeze_);
+    end = co_await mover_.detour(move.target, squeeze);
   } else {
     end = co_await mover_.go(move.target);
     if (end == MoveEnd::kBlocked && map_.visited(move.target)) {
@@ -199,9 +199,7 @@ Task<bool> MappingMission::squeeze() {
       if (map_.visited(tile) || !tried.insert(tile).second) {
         continue;
       }
-      squeeze_ = how;
-      const bool well = co_await perform({.target = tile, .detour = true});
-      squeeze_ = Squeeze::kNo;
+      const bool well = co_await perform({.target = tile, .detour = true}, how);
       if (!well) {
         co_return false;
       }

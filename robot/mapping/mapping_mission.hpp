@@ -46,7 +46,8 @@ class MappingMission {
  private:
   Task<> run();
   /// Does a move and writes its outcome into the map. \returns false when the robot is lost for good
-  Task<bool> perform(Move move);
+  /// \param squeeze  how narrow the ways of a detour may be
+  Task<bool> perform(Move move, Squeeze squeeze = Squeeze::kNo);
   /// Tries tiles once more that were given up or blocked against the look of things. \returns true when one
   /// was reached
   Task<bool> try_doubtful();
@@ -78,7 +79,6 @@ class MappingMission {
   std::set<Tile> tried_again_;
   std::map<Squeeze, std::set<Tile>> squeezed_;  ///< tried by narrower ways
   std::set<Tile> leapt_;                        ///< tried though no visited tile borders on it
-  Squeeze squeeze_{Squeeze::kNo};
   bool finished_{false};
   bool succeeded_{false};
   bool started_{false};

@@ -64,7 +64,7 @@ LinkHealth links_of(const robot::MappingProgram& program) {
 }  // namespace
 
 Summary run_mapping(const Scene& scene, RunFolder& folder, const SceneRunOptions& options) {
-  const double begun = options.wall_s ? options.wall_s() : 0.0;
+  const double begun_s = wall_s(options);
   MappingTwin twin(scene);
   RunRecorder recorder(folder, options.trace_every);
   TickLoop loop(options.wall_s);
@@ -77,7 +77,7 @@ Summary run_mapping(const Scene& scene, RunFolder& folder, const SceneRunOptions
   Summary summary;
   summary.interrupted = !loop.run(twin, recorder, limit, may_go_on);
   recorder.finish();
-  const double looped = options.wall_s ? options.wall_s() : 0.0;
+  const double looped_s = wall_s(options);
 
   std::vector<world::Vec2> carpet_tags;
   for (const world::Tag& tag : twin.world().tags()) {
@@ -103,13 +103,7 @@ Summary run_mapping(const Scene& scene, RunFolder& folder, const SceneRunOptions
     summary.interrupted = !draw_run(scene, twin, recorder, verdict, placement, summary, folder, may_go_on);
   }
   folder.write("summary.json", to_json(summary));
-  if (options.wall_s) {
-    Timing timing = loop.parts();
-    timing.sim_s = summary.sim_s;
-    timing.wall_s = looped - begun;
-    timing.render_s = options.wall_s() - looped;
-    folder.write("timing.json", to_json(timing));
-  }
+  write_timing(folder, loop.parts(), summary.sim_s, begun_s, looped_s, options);
   return summary;
 }
 

@@ -26,7 +26,7 @@ LinkHealth links_of(const robot::PhaseProgram& program) {
 }  // namespace
 
 Summary run_phase(const Scene& scene, RunFolder& folder, const SceneRunOptions& options) {
-  const double begun = options.wall_s ? options.wall_s() : 0.0;
+  const double begun_s = wall_s(options);
   PhaseTwin twin(scene);
   PhaseRecorder recorder(scene, folder, options.trace_every, options.pictures, options.tag_log);
   TickLoop loop(options.wall_s);
@@ -39,7 +39,7 @@ Summary run_phase(const Scene& scene, RunFolder& folder, const SceneRunOptions& 
   const robot::Instant limit{robot::from_s(scene.limits.time_limit_s)};
   summary.interrupted = !loop.run(twin, recorder, limit, may_go_on);
   recorder.finish();
-  const double looped = options.wall_s ? options.wall_s() : 0.0;
+  const double looped_s = wall_s(options);
 
   summary.scene = options.scene_as_given;
   summary.seed = scene.seed;
@@ -52,13 +52,7 @@ Summary run_phase(const Scene& scene, RunFolder& folder, const SceneRunOptions& 
     summary.interrupted = !draw_phase_run(scene, twin, recorder, *summary.path, folder, may_go_on);
   }
   folder.write("summary.json", to_json(summary));
-  if (options.wall_s) {
-    Timing timing = loop.parts();
-    timing.sim_s = summary.sim_s;
-    timing.wall_s = looped - begun;
-    timing.render_s = options.wall_s() - looped;
-    folder.write("timing.json", to_json(timing));
-  }
+  write_timing(folder, loop.parts(), summary.sim_s, begun_s, looped_s, options);
   return summary;
 }
 

@@ -5,6 +5,21 @@
 
 namespace sensotwin::twin {
 
+double wall_s(const SceneRunOptions& options) {
+  return options.wall_s ? options.wall_s() : 0.0;
+}
+
+void write_timing(RunFolder& folder, Timing parts, double sim_s, double begun_s, double looped_s,
+                  const SceneRunOptions& options) {
+  if (!options.wall_s) {
+    return;
+  }
+  parts.sim_s = sim_s;
+  parts.wall_s = looped_s - begun_s;
+  parts.render_s = options.wall_s() - looped_s;
+  folder.write("timing.json", to_json(parts));
+}
+
 std::vector<FigureLimits> limits_of(const Scene& scene) {
   std::vector<FigureLimits> limits;
   for (const Expectation& expectation : scene.expect) {

@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "twin/output/run_folder.hpp"
 #include "twin/output/summary.hpp"
 #include "twin/scene/scene.hpp"
 
@@ -32,6 +33,12 @@ struct SceneRunOptions {
   std::function<double()> wall_s;
 };
 
+/// main's clock by these options, 0 when there is none.
+[[nodiscard]] double wall_s(const SceneRunOptions& options);
+/// timing.json, when there is a clock: the loop's parts, from `begun_s` to `looped_s`, and what came after.
+/// \throws OutputError
+void write_timing(RunFolder& folder, Timing parts, double sim_s, double begun_s, double looped_s,
+                  const SceneRunOptions& options);
 /// What the scene expects, as the judge wants it.
 [[nodiscard]] std::vector<FigureLimits> limits_of(const Scene& scene);
 /// The unit of RunProgress, in the plural.

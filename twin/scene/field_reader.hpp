@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <functional>
 #include <map>
 #include <string>
 #include <vector>
@@ -75,6 +76,9 @@ class FieldReader : public FieldVisitor {
   std::optional<std::int64_t> integer_in(const YamlNode& node, const std::string& path, std::int64_t min,
                                          std::int64_t max);
   std::optional<robot::Vec2> point_in(const YamlNode& node, const std::string& path, const Range& range);
+  /// Each item of a list and its path, in order. \returns false when there is no such list
+  bool each_item(const Field& field, Count count, const std::string& of_what,
+                 const std::function<void(const YamlNode&, const std::string&)>& take_in);
   bool list_in(const YamlNode& node, const std::string& path, Count count, const std::string& of_what);
   [[nodiscard]] std::string path_of(std::string_view key) const;
 

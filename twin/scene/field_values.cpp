@@ -196,51 +196,50 @@ void FieldReader::point(const Field& field, robot::Vec2& value, const Range& ran
   }
 }
 
-void FieldReader::points(const Field& field, std::vector<robot::Vec2>& value, const Range& range,
-                         Count count) {
+bool FieldReader::each_item(const Field& field, Count count, const std::string& of_what,
+                            const std::function<void(const YamlNode&, const std::string&)>& take_in) {
   const YamlNode* node = take(field);
   const std::string path = path_of(field.key);
-  if (node == nullptr || !list_in(*node, path, count, "points [x, y]")) {
-    return;
+  if (node == nullptr || !list_in(*node, path, count, of_what)) {
+    return false;
   }
-  value.clear();
   for (std::size_t i = 0; i < node->items.size(); ++i) {
     const std::string item_path = fmt::format("{}[{}]", path, i);
     places_[item_path] = node->items[i].place;
-    value.push_back(point_in(node->items[i], item_path, range).value_or(robot::Vec2{0.0, 0.0}));
+    take_in(node->items[i], item_path);
+  }
+  return true;
+}
+
+void FieldReader::points(const Field& field, std::vector<robot::Vec2>& value, const Range& range,
+                         Count count) {
+  std::vector<robot::Vec2> read;
+  if (each_item(field, count, "points [x, y]", [&](const YamlNode& item, const std::string& path) {
+        read.push_back(point_in(item, path, range).value_or(robot::Vec2{0.0, 0.0}));
+      })) {
+    value = std::move(read);
   }
 }
 
 void FieldReader::numbers(const Field& field, std::vector<double>& value, const Range& range, Count count) {
-  const YamlNode* node = take(field);
-  const std::string path = path_of(field.key);
-  if (node == nullptr || !list_in(*node, path, count, "numbers")) {
-    return;
-  }
-  value.clear();
-  for (std::size_t i = 0; i < node->items.size(); ++i) {
-    const std::string item_path = fmt::format("{}[{}]", path, i);
-    places_[item_path] = node->items[i].place;
-    value.push_back(number_in(node->items[i], item_path, range).value_or(0.0));
+  std::vector<double> read;
+  if (each_item(field, count, "numbers", [&](const YamlNode& item, const std::string& path) {
+        read.push_back(number_in(item, path, range).value_or(0.0));
+      })) {
+    value = std::move(read);
   }
 }
 
 void FieldReader::texts(const Field& field, std::vector<std::string>& value, Count count) {
-  const YamlNode* node = take(field);
-  const std::string path = path_of(field.key);
-  if (node == nullptr || !list_in(*node, path, count, "texts")) {
-    return;
-  }
-  value.clear();
-  for (std::size_t i = 0; i < node->items.size(); ++i) {
-    const YamlNode& item = node->items[i];
-    const std::string item_path = fmt::format("{}[{}]", path, i);
-    places_[item_path] = item.place;
-    if (item.kind != YamlKind::kText || item.text.empty()) {
-      const bool scalar = item.kind == YamlKind::kNumber || item.kind == YamlKind::kFlag;
-      wrong(item, item_path, scalar ? "a text: put it in quotes" : "a text");
-    }
-    value.push_back(item.text);
+  std::vector<std::string> read;
+  if (each_item(field, count, "texts", [&](const YamlNode& item, const std::string& path) {
+        if (item.kind != YamlKind::kText || item.text.empty()) {
+          const bool scalar = item.kind == YamlKind::kNumber || item.kind == YamlKind::kFlag;
+          wrong(item, path, scalar ? "a text: put it in quotes" : "a text");
+        }
+        read.push_back(item.text);
+      })) {
+    value = std::move(read);
   }
 }
 

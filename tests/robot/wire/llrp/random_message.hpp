@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "robot/base/random.hpp"
+#include "robot/wire/llrp/frame.hpp"
 #include "robot/wire/llrp/layout_messages.hpp"
 
 namespace sensotwin::robot::llrp {

@@ -55,7 +55,7 @@ robot::PhaseReaderModel reader_model_of(const world::RadioWorld& world) {
   model.monostatic = radio.path == world::PathKind::kMonostatic;
   model.transmitter_R_m = {0.0, 0.0, world.antennas.front().at_m.z()};
   model.phase_sign = radio.phase_sign;
-  model.pi_ambiguous = radio.pi_ambiguous || radio.pi_flips;
+  model.pi_ambiguous = radio.pi_ambiguous;
   model.centre_hz = std::accumulate(radio.channels_hz.begin(), radio.channels_hz.end(), 0.0) /
                     static_cast<double>(radio.channels_hz.size());
   model.noise.floor_rad = radio.noise_law == world::NoiseLaw::kProportional ? 0.0 : radio.noise_floor_rad;

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "robot/phase/estimation/ceiling_mission_config.hpp"
+#include "robot/phase/estimation/tag_search.hpp"
 #include "robot/phase/phase_io.hpp"
 
 namespace sensotwin::robot {
@@ -63,6 +64,7 @@ class CeilingMission {
   void lose_tag(OnTagFault action);
   void skip();
   [[nodiscard]] WheelSpeeds search();
+  [[nodiscard]] WheelSpeeds look(const TagEstimate& sought);
 
   // What is done.
   [[nodiscard]] WheelSpeeds drive();
@@ -103,6 +105,8 @@ class CeilingMission {
   double step_m_{0.0};
   double step_rad_{0.0};
   double searched_rad_{0.0};
+  TagSearch looking_;
+  std::optional<double> loudest_dbm_;  ///< the destination's reads of this step
   bool order_judged_{false};
   double circled_rad_{0.0};  ///< kCircleAbout
   double last_bearing_rad_{0.0};

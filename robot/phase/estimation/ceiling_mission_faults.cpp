@@ -12,6 +12,8 @@ constexpr double kSearching_radps = 1.0;
 /// wavelength of echoes at every step, within reach of any hallway.
 constexpr double kSearchRadius_m = 0.3;
 constexpr double kSearching_mps = 0.1;
+/// A tag read this long ago is still in hearing. Chosen: ten rounds of four ports of an R420 (data study, 3.8).
+constexpr double kInHearing_s = 1.0;
 
 }  // namespace
 
@@ -79,7 +81,10 @@ void CeilingMission::hear_estimator() {
 
 void CeilingMission::watch_reader(const PhaseSensed& sensed) {
   const Instant last = estimator_.heard().value_or(leg_since_);
-  const bool silent = !sensed.reader_up || to_s(now_ - last) > config_.faults.silent_after_s;
+  // On the way to a first tag whose place is not known, hearing none is no wonder: the robot looks for it.
+  const bool expected = leg_ > 0 || place(0).has_value();
+  const bool silent =
+      !sensed.reader_up || (expected && to_s(now_ - last) > config_.faults.silent_after_s);
   if (silent && !reader_silent_) {
     silent_since_ = last;
     blind_m_ = 0.0;
@@ -106,7 +111,8 @@ void CeilingMission::watch_reader(const PhaseSensed& sensed) {
 }
 
 void CeilingMission::watch_destination() {
-  if (reader_silent_ || mode_ == CeilingMode::kFinished || mode_ == CeilingMode::kSearching) {
+  if (reader_silent_ || mode_ == CeilingMode::kFinished || mode_ == CeilingMode::kSearching ||
+      looking_.running()) {
     return;
   }
   const TagEstimate sought = estimator_.tag(route_[destination()]);
@@ -171,6 +177,32 @@ WheelSpeeds CeilingMission::search() {
     return wheels_for(config_.follower, kSearching_mps, kSearching_mps / kSearchRadius_m);
   }
   skip();
+  return {};
+}
+
+WheelSpeeds CeilingMission::look(const TagEstimate& sought) {
+  const bool in_hearing = sought.heard && to_s(now_ - *sought.heard) < kInHearing_s;
+  if (!looking_.running()) {
+    if (leg_ == 0 && in_hearing) {
+      // Nothing is known yet, and only a way tells it.
+      return wheels_for(config_.follower, config_.follower.speed_mps, 0.0);
+    }
+    const bool others_only = !sought.heard && estimator_.heard();
+    if (leg_ == 0 && (others_only || to_s(now_ - leg_since_) < kInHearing_s)) {
+      return {};  // stands until it is heard, or missed
+    }
+    looking_.begin();
+  }
+  mode_ = CeilingMode::kLooking;
+  const std::optional<TagSearch::Move> move = looking_.step({step_m_, step_rad_}, loudest_dbm_);
+  // Where other tags are heard and this one is in no heading, a way will hardly help.
+  const bool hopeless = looking_.silent_turns() > 0 && leg_ > 0;
+  if (move && !hopeless) {
+    return wheels_for(config_.follower, move->speed_mps, move->turn_radps);
+  }
+  looking_.end();
+  note(CeilingEventKind::kTagMissing, route_[destination()]);
+  lose_tag(config_.faults.on_missing);
   return {};
 }
 

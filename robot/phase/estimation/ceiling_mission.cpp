@@ -15,6 +15,7 @@ constexpr double kAtRest_m = 0.003;
 constexpr double kNoLeg_m = 0.3;
 constexpr double kTurned_rad = 0.015;  ///< a turn on the spot ends this near. Chosen: 1.5 cm per metre
 constexpr double kBacking_mps = 0.1;
+constexpr double kListening_radps = 0.3;  ///< chosen: twice round in the time until it gives up
 /// On the way to the first tag the line to it is drawn anew until this near, as its place becomes known.
 constexpr double kRedrawn_m = 0.6;
 
@@ -94,6 +95,8 @@ PhaseCommand CeilingMission::step(const PhaseSensed& sensed) {
     case CeilingMode::kSearching:
       return {search()};
     case CeilingMode::kWaiting:
+      // A reader that is there and hears nothing may hear a tag in another heading.
+      return {wheels_for(config_.follower, 0.0, reader_up_ ? kListening_radps : 0.0)};
     case CeilingMode::kFinished:
       break;
   }
@@ -108,13 +111,14 @@ WheelSpeeds CeilingMission::drive() {
       origin_M_m_ = estimator_.pose().p_m;
     }
   }
+  const TagEstimate sought = estimator_.tag(route_[destination()]);
   const std::optional<PathReference> path = reference(leg_);
-  if (path) {
+  if (path && !guesses(sought)) {
     looking_.end();
     mode_ = CeilingMode::kDriving;
     return drive_to(*path);
   }
-  return look(estimator_.tag(route_[destination()]));
+  return look(sought);
 }
 
 bool CeilingMission::reached(const PathReference& path) const {

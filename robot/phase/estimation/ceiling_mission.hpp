@@ -64,6 +64,11 @@ class CeilingMission {
   void lose_tag(OnTagFault action);
   void skip();
   [[nodiscard]] WheelSpeeds search();
+  [[nodiscard]] bool in_hearing(const TagEstimate& tag) const;
+  /// When the tag was heard, or the leg began.
+  [[nodiscard]] Instant last_chance(const TagEstimate& sought) const;
+  /// The tag's place is a guess that no reads confirm: not worth driving to.
+  [[nodiscard]] bool guesses(const TagEstimate& sought) const;
   [[nodiscard]] WheelSpeeds look(const TagEstimate& sought);
 
   // What is done.
@@ -98,6 +103,7 @@ class CeilingMission {
   int skipped_{0};
   bool silent_said_{false};
   bool reader_silent_{false};
+  bool reader_up_{true};
   Instant silent_since_;
   double blind_m_{0.0};
   int bumps_{0};

@@ -71,6 +71,10 @@ std::optional<TagSearch::Move> TagSearch::step(const WheelStep& way, std::option
       }
       const bool heard = std::any_of(sectors_.begin(), sectors_.end(), [](const Sector& s) { return s.count > 0; });
       silent_turns_ = heard ? 0 : silent_turns_ + 1;
+      if (silent_turns_ == 1 && round_ == 0) {
+        begin_turn();
+        return Move{0.0, config_.turn_radps};
+      }
       to_turn_rad_ = bearing_rad();
       // Two sides of each length, as of a square spiral; towards a tag always the same.
       to_drive_m_ = heard ? config_.piece_m : config_.piece_m * (1.0 + round_ / 2);

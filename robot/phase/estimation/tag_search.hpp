@@ -21,9 +21,9 @@ struct TagSearchConfig {
 };
 
 /// Looks for a tag whose place is not known: once round on the spot; if the tag answered meanwhile, a piece
-/// straight on towards where it did so loudest; if it did not, a piece along a square that grows, as one
-/// searches at sea. Then round again. Antennas that look ahead and behind hear a tag from far away in some
-/// headings only, and a way tells where it is.
+/// straight on towards where it did so loudest; if it did not, once more round, and then a piece along a square
+/// that grows, as one searches at sea. Then round again. Antennas that look ahead and behind hear a tag from
+/// far away in some headings only, and a way tells where it is.
 ///
 /// Knows wheels and loudness only. Never allocates.
 class TagSearch {

@@ -195,8 +195,7 @@ bool CeilingMission::guesses(const TagEstimate& sought) const {
   if (sought.knowledge >= TagKnowledge::kTracked) {
     return false;
   }
-  return leg_ == 0 ? looking_.running() || !in_hearing(sought)
-                   : to_s(now_ - last_chance(sought)) > config_.faults.missing_after_s;
+  return (leg_ == 0 && looking_.running()) || to_s(now_ - last_chance(sought)) > kInHearing_s;
 }
 
 Instant CeilingMission::last_chance(const TagEstimate& sought) const {

@@ -12,10 +12,22 @@
 namespace sensotwin::twin {
 namespace {
 
+/// What the robot is told of a tag's code.
+robot::Epc told_code(const Scene& scene, std::size_t tag) {
+  const std::vector<world::CeilingTag>& tags = scene.world.radio->tags;
+  const std::vector<std::string>& exchanged = scene.mission.phase->exchanged;
+  const auto self = std::find(exchanged.begin(), exchanged.end(), tags[tag].name);
+  if (exchanged.size() != 2 || self == exchanged.end()) {
+    return tags[tag].epc;
+  }
+  const std::string& other = self == exchanged.begin() ? exchanged.back() : exchanged.front();
+  return std::find_if(tags.begin(), tags.end(), [&](const auto& t) { return t.name == other; })->epc;
+}
+
 std::vector<robot::Epc> codes_of(const Scene& scene) {
   std::vector<robot::Epc> codes;
   for (const std::size_t tag : destinations_of(scene)) {
-    codes.push_back(scene.world.radio->tags[tag].epc);
+    codes.push_back(told_code(scene, tag));
   }
   return codes;
 }
@@ -55,7 +67,7 @@ robot::PhaseReaderModel reader_model_of(const world::RadioWorld& world) {
   model.monostatic = radio.path == world::PathKind::kMonostatic;
   model.transmitter_R_m = {0.0, 0.0, world.antennas.front().at_m.z()};
   model.phase_sign = radio.phase_sign;
-  model.pi_ambiguous = radio.pi_ambiguous || radio.pi_flips;
+  model.pi_ambiguous = radio.pi_ambiguous;
   model.centre_hz = std::accumulate(radio.channels_hz.begin(), radio.channels_hz.end(), 0.0) /
                     static_cast<double>(radio.channels_hz.size());
   model.noise.floor_rad = radio.noise_law == world::NoiseLaw::kProportional ? 0.0 : radio.noise_floor_rad;
@@ -81,12 +93,14 @@ robot::CeilingMissionConfig own_of(const Scene& scene, const world::RadioWorld& 
   config.follower.wheel_base_m = scene.robot.base.wheel_base_m;
   config.follower.top_wheel_mps = scene.robot.base.speed_max_mps;
   for (const std::size_t tag : destinations_of(scene)) {
-    config.route.push_back({.epc = radio.tags[tag].epc, .height_m = radio.tags[tag].height_m});
+    config.route.push_back({.epc = told_code(scene, tag), .height_m = radio.tags[tag].height_m});
   }
   config.path = static_cast<robot::TagPathKind>(mission.path);
   config.circle_radius_m = mission.circle_radius_m;
   config.circle_laps = mission.circle_laps;
   config.faults.on_missing = static_cast<robot::OnTagFault>(mission.on_missing);
+  config.faults.order_factor = mission.order_factor;
+  config.faults.on_order = static_cast<robot::OnTagFault>(mission.on_order);
   config.faults.corridor_half_width_m = mission.corridor_half_width_m;
   return config;
 }

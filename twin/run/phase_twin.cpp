@@ -51,6 +51,7 @@ robot::PhaseProgramConfig told(robot::PhaseProgramConfig config, const PhaseTwin
 
 PhaseTwin::PhaseTwin(const Scene& scene, const Rewiring& rewire, const Retelling& retell)
     : random_(scene.seed),
+      fault_random_(random_.fork("reader faults")),
       radio_world_(radio_of(scene, random_)),
       user_memory_(user_memory_of(radio_world_)),
       machine_(scene, random_),
@@ -88,19 +89,34 @@ void PhaseTwin::tick_devices() {
   machine_.tick_devices();
   readings_.clear();
   for (const world::RadioRead& read : heard_) {
-    const RadioReading reading{.at = robot::Instant{robot::from_s(read.time_s)},
+    RadioReading reading{.at = robot::Instant{robot::from_s(read.time_s)},
                                .epc = radio_world_.tags[read.tag].epc,
                                .antenna = static_cast<std::uint16_t>(read.antenna + 1),
                                .channel = static_cast<std::uint16_t>(read.channel + 1),
                                .phase_rad = read.phase_rad,
                                .rssi_dbm = read.rssi_dbm,
                                .doppler_hz = read.doppler_hz};
-    if (uhf_reader_.report(reading)) {
+    if (comes_through(reading) && uhf_reader_.report(reading)) {
       readings_.push_back(reading);
     }
   }
   uhf_reader_.step(now());
   follow_ro_spec();
+}
+
+bool PhaseTwin::comes_through(RadioReading& reading) {
+  const world::ReaderFaults& faults = radio_world_.faults;
+  const double at_s = robot::to_s(reading.at);
+  const bool silent =
+      std::any_of(faults.silent_s.begin(), faults.silent_s.end(),
+                  [at_s](const robot::Vec2& from_to) { return at_s >= from_to.x() && at_s < from_to.y(); });
+  if (silent || (faults.lost_share > 0.0 && fault_random_.chance(faults.lost_share))) {
+    return false;
+  }
+  if (faults.cables_swapped && reading.antenna <= 2) {
+    reading.antenna = static_cast<std::uint16_t>(3 - reading.antenna);
+  }
+  return true;
 }
 
 void PhaseTwin::follow_ro_spec() {

@@ -58,8 +58,11 @@ class PhaseTwin {
 
  private:
   void follow_ro_spec();
+  /// \returns false for one that a fault of the reader swallows
+  [[nodiscard]] bool comes_through(RadioReading& reading);
 
   robot::RandomStream random_;
+  robot::RandomStream fault_random_;
   world::RadioWorld radio_world_;
   std::vector<std::vector<std::uint16_t>> user_memory_;  ///< of each ceiling tag
   Machine machine_;

@@ -17,6 +17,9 @@ constexpr Range kDecibel{-200.0, 200.0};
 constexpr std::array<std::string_view, 2> kProfileWords{"paper", "impinj_r420"};
 constexpr std::array<std::string_view, 2> kPathKindWords{"bistatic", "monostatic"};
 constexpr std::array<std::string_view, 3> kNoiseLawWords{"proportional", "offset", "rssi"};
+constexpr std::array<std::string_view, 2> kMountWords{"pair", "roof"};
+constexpr std::array<std::string_view, 2> kCableWords{"as_given", "swapped"};
+constexpr std::array<std::string_view, 3> kOrderWords{"go_on", "exchange", "stop"};
 constexpr std::array<std::string_view, 2> kControllerWords{"fuzzy", "own"};
 constexpr std::array<std::string_view, 2> kSetsWords{"reproduction", "tuned"};
 constexpr std::array<std::string_view, 3> kPairingWords{"same_instant", "latest", "interpolated"};
@@ -168,6 +171,15 @@ void sets_fields(FieldVisitor& v, robot::FuzzySets& sets) {
   trapezoid(v, {"counter_clockwise_radps", "feet and shoulders, rad/s"}, sets.counter_clockwise_radps);
 }
 
+void reader_fault_fields(FieldVisitor& v, world::ReaderFaults& faults) {
+  v.points({"silent_s", "[from, to]: hears nothing meanwhile, s of the run"}, faults.silent_s, {0.0, 1e6},
+           {0, 1000});
+  v.number({"lost_share", "of reads that never arrive"}, faults.lost_share, {0.0, 1.0});
+  std::size_t cables = faults.cables_swapped ? 1 : 0;
+  v.choice({"cables", "of ports 1 and 2"}, cables, kCableWords);
+  faults.cables_swapped = cables == 1;
+}
+
 /// Makes the optional radio of a world there.
 auto there(world::WorldDescription& world) {
   return [&world] {
@@ -196,7 +208,9 @@ void uhf_reader_fields(FieldVisitor& v, world::WorldDescription& world) {
   const Field reader{"uhf_reader", "reads the tags under the ceiling"};
   v.maybe(reader, world.radio.has_value(), there(world), [&] {
     v.section(reader, [&] {
-      v.list({"antennas", "port 1 first; else two, 0.08 m to the left and to the right"},
+      v.choice({"mount", "of antennas that are not listed: two look up, or two ahead and two behind"},
+               world.radio->mounting, kMountWords);
+      v.list({"antennas", "port 1 first; else as mounted"},
              world.radio->antennas, [&](world::AntennaDescription& antenna) {
                xyz(v, {"at_m", "forward, left, up from the floor below the middle, m"}, antenna.at_m,
                    {-1.0, 1.0});
@@ -207,6 +221,8 @@ void uhf_reader_fields(FieldVisitor& v, world::WorldDescription& world) {
                v.number({"cable_delay_s", "reader and cable, counted once, s"}, antenna.cable_delay_s,
                         {0.0, 1e-6});
              });
+      v.section({"faults", "of reader and cables; the robot is not told"},
+                [&] { reader_fault_fields(v, world.radio->faults); });
     });
   });
 }
@@ -216,6 +232,8 @@ void phase_mission_fields(FieldVisitor& v, PhaseMission& mission) {
            kControllerWords);
   v.texts({"destinations", "names of tags in order, each as often as wanted; empty: all as listed"},
           mission.destinations, {0, 1000});
+  v.texts({"exchanged", "names of two tags whose codes the robot was told the wrong way round"},
+          mission.exchanged, {0, 2});
   v.number({"speed_mps", "driving, m/s"}, mission.speed_mps, {0.01, 0.45});
   v.section_or_word(
       {"sets", "fuzzy: reproduction (the paper's figures), tuned, or figures"}, kSetsWords,
@@ -235,6 +253,9 @@ void phase_mission_fields(FieldVisitor& v, PhaseMission& mission) {
   v.number({"circle_laps", "own, circle_about: how often round"}, mission.circle_laps, {0.1, 1000.0});
   v.choice({"on_missing", "own: what to do about a tag that is not heard"}, mission.on_missing,
            kMissingWords);
+  v.number({"order_factor", "own: doubts the list where the next tag but one is so much nearer; 0: never"},
+           mission.order_factor, {0.0, 100.0});
+  v.choice({"on_order", "own: what to do then"}, mission.on_order, kOrderWords);
   v.maybe({"corridor_half_width_m", "own: stops rather than be further from its path, m"},
           mission.corridor_half_width_m, [&](double& value) {
             v.number({"corridor_half_width_m", "m"}, value, {0.01, 100.0});
@@ -255,7 +276,8 @@ void complete_radio(Scene& scene) {
     }
   }
   if (radio.antennas.empty()) {
-    radio.antennas = {{.at_m = {0.0, 0.08, 0.1}}, {.at_m = {0.0, -0.08, 0.1}}};
+    radio.antennas = radio.mounting == world::AntennaMounting::kRoof ? world::roof_of_antennas()
+                                                                      : world::pair_of_antennas();
   }
 }
 

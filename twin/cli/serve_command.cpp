@@ -15,7 +15,10 @@ void add_pace_options(CLI::App& app, ServeOptions& options) {
   app.add_option_function<std::string>(
          "--rtf",
          [&options](const std::string& text) {
-           options.factor = text == "max" ? std::nullopt : std::optional{std::stod(text)};
+           options.factor.reset();
+           if (text != "max") {
+             options.factor = std::stod(text);
+           }
          },
          "Simulated seconds for each real one, or max: as fast as the client follows (1)")
       ->option_text("F|max")
@@ -27,6 +30,20 @@ void add_pace_options(CLI::App& app, ServeOptions& options) {
          "End after so many simulated seconds, with 0 (until Ctrl-C)")
       ->option_text("S")
       ->check(number_between(0.015, 1e9));
+}
+
+void add_wire_options(CLI::App& app, ServeOptions& options) {
+  app.add_option_function<std::string>(
+         "--llrp", [&options](const std::string& at) { options.llrp = at; },
+         "Where the UHF reader listens; port 0: any free one (127.0.0.1:5084, else any)")
+      ->option_text("HOST:PORT");
+  app.add_option("--vpcd", options.vpcd,
+                 "Where the virtual card reader's first slot listens (127.0.0.1:35963)")
+      ->option_text("HOST:PORT");
+  app.add_flag_callback(
+      "--no-cards", [&options] { options.cards = false; }, "Leave the card slots alone");
+  app.add_flag("--strict-baud", options.strict_baud,
+               "Lose what is said to the base at a wrong speed, as a cable does");
 }
 
 }  // namespace
@@ -49,8 +66,7 @@ Command make_serve_command(Deed<ServeOptions> deed) {
                    "Folder for devices.yaml and the terminals (default runs/serve-<scene>)")
                 ->option_text("PATH");
             add_pace_options(app, *options);
-            app.add_flag("--strict-baud", options->strict_baud,
-                         "Lose what is said to the base at a wrong speed, as a cable does");
+            add_wire_options(app, *options);
           },
       .run = [options, deed = std::move(deed)](Context& context) { return deed(*options, context); },
   };

@@ -38,12 +38,28 @@ class StatusLine {
   bool live_;
 };
 
+Endpoint endpoint_of(const char* option, const std::string& text) {
+  const auto endpoint = endpoint_from(text);
+  if (!endpoint) {
+    throw CommandError(ExitCode::kWrongCommandLine,
+                       fmt::format("{}: '{}' is not of the form host:port", option, text));
+  }
+  return *endpoint;
+}
+
 ServerSettings settings_of(const ServeOptions& asked, Context& context, StatusLine& line) {
   ServerSettings settings;
   settings.scene_as_given = asked.choice.scene.string();
   settings.folder = asked.out.value_or(default_serve_folder(asked.choice.scene));
   settings.factor = asked.factor;
-  settings.strict_baud = asked.strict_baud;
+  settings.wires.strict_baud = asked.strict_baud;
+  if (asked.llrp) {
+    settings.wires.llrp = endpoint_of("--llrp", *asked.llrp);
+  }
+  settings.wires.vpcd.reset();
+  if (asked.cards) {
+    settings.wires.vpcd = endpoint_of("--vpcd", asked.vpcd);
+  }
   settings.end_after_sim_s = asked.end_after_sim_s;
   settings.wall_s = context.wall_s;
   settings.keep_going = [] { return !pending_interruption(); };

@@ -14,6 +14,8 @@ struct Devices {
   std::filesystem::path sensors;            ///< terminal of the sensor board
   std::optional<std::string> llrp{};        ///< host:port; none: no UHF reader in this scene
   std::vector<std::string> card_readers{};  ///< PC/SC names: floor, forward; none: no virtual reader here
+
+  bool operator==(const Devices&) const = default;
 };
 
 /// \param scene  as the first line names it

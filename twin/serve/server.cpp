@@ -15,7 +15,6 @@
 #include "twin/serve/pacer.hpp"
 #include "twin/serve/serve_folder.hpp"
 #include "twin/serve/served_twin.hpp"
-#include "twin/serve/terminal_wire.hpp"
 
 namespace sensotwin::twin {
 namespace {
@@ -24,9 +23,6 @@ namespace {
 constexpr double kShowEvery_s = 0.25;
 /// Longest sleep, so that a request to stop is seen. Chosen: a tenth of the second that it may take.
 constexpr double kSleepMax_s = 0.1;
-/// What the sensor boards of protocols study, 3 speak at ten sentences a second.
-constexpr int kSensorBaud = 38400;
-
 void sleep_until_something(std::vector<pollfd>& handles, double seconds) {
   const double whole = std::floor(seconds);
   const timespec limit{.tv_sec = static_cast<time_t>(whole),
@@ -60,60 +56,28 @@ struct Server::State {
         settings(std::move(server_settings)),
         folder(settings.folder),
         twin(scene),
+        wires(twin, settings.wires, folder.path(), settings.warn),
         begun_s(settings.wall_s()),
-        pacer(settings.factor, begun_s) {
-    open_terminals();
-  }
+        pacer(settings.factor, begun_s) {}
 
-  void open_terminals();
-  void tick_and_sleep(double wall_s);
+  void tick_or_sleep(double wall_s);
   void announce();
-  void tell_of_clients();
-  [[nodiscard]] ServeStatus status() const;
+  [[nodiscard]] ServeStatus status();
 
   const Scene scene;
   const ServerSettings settings;
   ServeFolder folder;
   ServedTwin twin;
+  ServedWires wires;
   double begun_s;
   Pacer pacer;
-  TerminalWire* base{nullptr};
-  std::vector<std::unique_ptr<Wire>> wires;
-  std::vector<bool> had_client;
   std::vector<pollfd> handles;
-  Devices devices;
-  bool announced{false};
-  bool told_wrong_baud{false};
+  std::optional<Devices> announced;
 };
 
-void Server::State::open_terminals() {
-  EmulatedRoomba& roomba = twin.machine().roomba();
-  TerminalWireOptions oi;
-  oi.baud = roomba.baud();
-  oi.device_baud = [&roomba] { return roomba.baud(); };
-  oi.strict_baud = settings.strict_baud;
-  // A serial cable's driver raises RTS when the port is opened, and the cable has it on the BRC pin.
-  oi.on_client = [&roomba] { roomba.pulse_brc(); };
-  auto terminal =
-      std::make_unique<TerminalWire>("base", folder.path() / "base", twin.machine().serial(), std::move(oi));
-  base = terminal.get();
-  devices.base = base->terminal().link();
-  wires.push_back(std::move(terminal));
-
-  TerminalWireOptions nmea;
-  nmea.baud = kSensorBaud;
-  auto sensors = std::make_unique<TerminalWire>("sensors", folder.path() / "sensors",
-                                                twin.machine().compass(), std::move(nmea));
-  devices.sensors = sensors->terminal().link();
-  wires.push_back(std::move(sensors));
-  had_client.assign(wires.size(), false);
-}
-
-void Server::State::tick_and_sleep(double wall_s) {
-  for (const auto& wire : wires) {
-    wire->pump(wall_s);
-  }
-  const bool follows = pacer.follows_client() && base->client_is_up_to_date();
+void Server::State::tick_or_sleep(double wall_s) {
+  wires.pump(wall_s);
+  const bool follows = pacer.follows_client() && wires.base().client_is_up_to_date();
   const double wait_s = pacer.wait_s(wall_s, follows);
   if (wait_s <= 0.0) {
     twin.tick();
@@ -121,46 +85,30 @@ void Server::State::tick_and_sleep(double wall_s) {
     return;
   }
   handles.clear();
-  for (const auto& wire : wires) {
-    wire->watch(handles);
-  }
+  wires.watch(handles);
   sleep_until_something(handles, std::min(wait_s, kSleepMax_s));
 }
 
 void Server::State::announce() {
+  const auto devices = wires.devices();
+  if (!devices || devices == announced) {
+    return;
+  }
   OutputFile file(folder.path() / "devices.yaml");
-  file.append(to_yaml(devices, settings.scene_as_given));
+  file.append(to_yaml(*devices, settings.scene_as_given));
   file.finish();
-  announced = true;
-  settings.say(fmt::format("serving; the wires are in {}", (folder.path() / "devices.yaml").string()));
+  announced = devices;
+  settings.say(fmt::format("serving; {} says where the wires are", file.final_path().string()));
 }
 
-void Server::State::tell_of_clients() {
-  for (std::size_t i = 0; i < wires.size(); ++i) {
-    if (wires[i]->has_client() != had_client[i]) {
-      had_client[i] = !had_client[i];
-      settings.say(fmt::format("{}: a client has {}", wires[i]->name(), had_client[i] ? "come" : "left"));
-    }
-  }
-  if (base->wrong_baud() != told_wrong_baud) {
-    told_wrong_baud = !told_wrong_baud;
-    if (told_wrong_baud) {
-      settings.warn(
-          fmt::format("base: the client has set {} baud, the robot speaks {}: on a cable it would "
-                      "understand nothing",
-                      base->terminal().client_baud().value_or(0), twin.machine().roomba().baud()));
-    }
-  }
-}
-
-ServeStatus Server::State::status() const {
+ServeStatus Server::State::status() {
   ServeStatus now;
   now.sim_s = robot::to_s(twin.now());
   now.wall_s = settings.wall_s() - begun_s;
   now.factor = pacer.achieved();
   now.given_up_s = pacer.given_up_s();
-  now.base_mode = mode_of(const_cast<ServedTwin&>(twin).machine().roomba());
-  for (const auto& wire : wires) {
+  now.base_mode = mode_of(twin.machine().roomba());
+  for (const auto& wire : wires.all()) {
     now.wires.push_back({.name = wire->name(), .has_client = wire->has_client(), .tally = wire->tally()});
   }
   return now;
@@ -177,13 +125,11 @@ ServeStatus Server::run(const std::function<void(const ServeStatus&)>& show) {
   double show_at_s = 0.0;
   while (state.settings.keep_going() && robot::to_s(state.twin.now()) < end_s) {
     const double wall_s = state.settings.wall_s();
-    state.tick_and_sleep(wall_s);
-    if (!state.announced) {
-      state.announce();
-    }
+    state.tick_or_sleep(wall_s);
     if (wall_s >= show_at_s) {
       show_at_s = wall_s + kShowEvery_s;
-      state.tell_of_clients();
+      state.announce();
+      state.wires.tell(state.settings.say, state.settings.warn);
       show(state.status());
     }
   }
@@ -209,6 +155,9 @@ std::string to_json(const ServeStatus& status, const Scene& scene, const ServerS
                                 {"bytes_in", wire.tally.bytes_in},
                                 {"bytes_out", wire.tally.bytes_out},
                                 {"bytes_dropped", wire.tally.bytes_dropped}};
+    if (wire.name == "llrp") {
+      json["wires"][wire.name]["reports_lost"] = wire.tally.reports_lost;
+    }
   }
   return json.dump(2) + '\n';
 }

@@ -10,15 +10,15 @@
 #include <vector>
 
 #include "twin/scene/scene.hpp"
-#include "twin/serve/wire.hpp"
+#include "twin/serve/served_wires.hpp"
 
 namespace sensotwin::twin {
 
 struct ServerSettings {
   std::string scene_as_given;
   std::filesystem::path folder;  ///< for devices.yaml, serve.json and the terminals' links; made when missing
-  std::optional<double> factor{1.0};        ///< simulated seconds a real second; none: as the client follows
-  bool strict_baud{false};                  ///< see TerminalWireOptions
+  std::optional<double> factor{1.0};  ///< simulated seconds a real second; none: as the client follows
+  WireSettings wires{};
   std::optional<double> end_after_sim_s{};  ///< none: until it is told to stop
   /// main's clock, s.
   std::function<double()> wall_s;

@@ -17,6 +17,7 @@ struct WireTally {
   std::uint64_t bytes_in{0};       ///< from clients
   std::uint64_t bytes_out{0};      ///< to clients
   std::uint64_t bytes_dropped{0};  ///< lost because a client did not take them in time
+  std::uint64_t reports_lost{0};   ///< LLRP: that nobody took, or nobody was there for
 };
 
 /// One emulated device, joined to what the operating system shows of it. Nothing here ever waits, and nothing

@@ -22,6 +22,7 @@ struct SceneChoice {
   std::filesystem::path scene;
   std::optional<std::uint64_t> seed{};  ///< instead of the scene's
   std::vector<std::string> set{};       ///< "key.path=value", in order
+  std::string variant{};                ///< of the scene's `variants:`; empty: the scene as it is
 };
 
 struct RunOptions {
@@ -132,7 +133,10 @@ struct ListTopic {
   std::function<std::vector<ListEntry>()> entries;
 };
 [[nodiscard]] Command make_list_command(std::vector<ListTopic> topics);
-/// Scenes in the first of `folders` that exists: each file's name and first comment line.
+/// The scenes in the first of `folders` that exists, by name.
+[[nodiscard]] std::vector<std::filesystem::path> scene_files(
+    const std::vector<std::filesystem::path>& folders);
+/// Of scene_files(): each file's name and first comment line.
 [[nodiscard]] ListTopic scenes_topic(std::vector<std::filesystem::path> folders);
 /// Figures that `expect:` may ask for.
 [[nodiscard]] ListTopic figures_topic();

@@ -45,8 +45,8 @@ std::vector<Command> commands() {
       make_import_command(import_deed),
       make_epsilon_command(epsilon_deed),
       make_calibrate_command(calibrate_deed),
-      make_list_command(
-          {scenes_topic(scene_folders()), explorers_topic(), figures_topic(), exit_codes_topic()}),
+      make_list_command({scenes_topic(scene_folders()), variants_topic(scene_folders()), explorers_topic(),
+                         figures_topic(), exit_codes_topic()}),
       make_doctor_command(probes),
   };
 }

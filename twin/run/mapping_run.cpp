@@ -90,6 +90,7 @@ Summary run_mapping(const Scene& scene, RunFolder& folder, const SceneRunOptions
   const MapVerdict verdict =
       judge_map(twin.world().tags(), twin.map_id(), placement, promised_by(scene, truth));
   summary.scene = options.scene_as_given;
+  summary.variant = scene.variant;
   summary.seed = scene.seed;
   summary.sim_s = robot::to_s(twin.now());
   summary.state_hash = twin.hash().text();

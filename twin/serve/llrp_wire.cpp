@@ -54,18 +54,25 @@ void LlrpWire::do_watch(std::vector<pollfd>& handles) const {
 }
 
 void LlrpWire::do_pump(double wall_s) {
+  // Who leaves is seen before who comes: a client that dials again at once finds the reader free.
+  serve_client(wall_s);
   accept_all(wall_s);
-  if (client_) {
-    const bool there = take_from_client();
-    // What was asked before the end of the line is answered all the same: the peer may have closed one way.
-    if (!give_to_client(wall_s) || !there) {
-      drop_client();
-    } else if (!reader_.is_connected() && pending_.empty()) {
-      let_go(std::exchange(client_, Handle{}), wall_s);
-    }
-  }
+  serve_client(wall_s);
   bury(wall_s);
   tally_.reports_lost = reader_.tally().reports_lost;
+}
+
+void LlrpWire::serve_client(double wall_s) {
+  if (!client_) {
+    return;
+  }
+  const bool there = take_from_client();
+  // What was asked before the end of the line is answered all the same: the peer may have closed one way.
+  if (!give_to_client(wall_s) || !there) {
+    drop_client();
+  } else if (!reader_.is_connected() && pending_.empty()) {
+    let_go(std::exchange(client_, Handle{}), wall_s);
+  }
 }
 
 void LlrpWire::accept_all(double wall_s) {

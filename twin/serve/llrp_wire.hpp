@@ -37,6 +37,7 @@ class LlrpWire final : public Wire {
   void do_pump(double wall_s) override;
   [[nodiscard]] bool do_has_client() const override { return static_cast<bool>(client_); }
 
+  void serve_client(double wall_s);
   void accept_all(double wall_s);
   /// \returns false when the client has gone
   [[nodiscard]] bool take_from_client();

@@ -7,6 +7,7 @@
 namespace sensotwin::twin {
 
 ExitCode run_deed(const RunOptions& options, Context& context);
+ExitCode serve_deed(const ServeOptions& asked, Context& context);
 ExitCode validate_deed(const ValidateOptions& options, Context& context);
 ExitCode show_deed(const ShowOptions& options, Context& context);
 ExitCode render_deed(const RenderOptions& options, Context& context);

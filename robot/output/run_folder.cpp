@@ -105,15 +105,15 @@ void RunFolder::write_by(std::string_view name, const std::function<void(const f
   }
 }
 
-fs::path default_run_folder(const fs::path& scene_file, std::uint64_t seed, std::string_view utc) {
-  std::string name = scene_file.stem().string();
+fs::path default_run_folder(std::string_view scene, std::uint64_t seed, std::string_view utc) {
+  std::string name{scene};
   name.append("-").append(std::to_string(seed)).append("-").append(utc);
   return fs::path{"runs"} / name;
 }
 
-fs::path default_validation_folder(const fs::path& scene_file, std::string_view utc) {
-  std::string name = "validate-" + scene_file.stem().string();
-  name.append("-").append(utc);
+fs::path default_validation_folder(std::string_view scene, std::string_view utc) {
+  std::string name = "validate-";
+  name.append(scene).append("-").append(utc);
   return fs::path{"runs"} / name;
 }
 

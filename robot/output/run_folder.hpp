@@ -48,12 +48,11 @@ class RunFolder {
 };
 
 /// Where a run goes when nobody said where: runs/<scene>-<seed>-<utc>, below the working directory.
-/// \param scene_file  its stem names the folder  \param utc  for instance "20260131T235959Z"; main's clock
-[[nodiscard]] std::filesystem::path default_run_folder(const std::filesystem::path& scene_file,
-                                                       std::uint64_t seed, std::string_view utc);
+/// \param scene  its name, with the variant's  \param utc  for instance "20260131T235959Z"; main's clock
+[[nodiscard]] std::filesystem::path default_run_folder(std::string_view scene, std::uint64_t seed,
+                                                       std::string_view utc);
 
 /// Where a validation goes when nobody said where: runs/validate-<scene>-<utc>.
-[[nodiscard]] std::filesystem::path default_validation_folder(const std::filesystem::path& scene_file,
-                                                              std::string_view utc);
+[[nodiscard]] std::filesystem::path default_validation_folder(std::string_view scene, std::string_view utc);
 
 }  // namespace sensotwin::robot

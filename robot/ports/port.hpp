@@ -36,10 +36,4 @@ class Port : public ByteLink {
   virtual void do_keep(Instant now) = 0;
 };
 
-/// Where no device is plugged in: up, silent, deaf.
-class NoPort : public ByteLink {
-  bool do_write(ByteView) override { return true; }
-  std::size_t do_read(std::span<std::uint8_t>) override { return 0; }
-};
-
 }  // namespace sensotwin::robot

@@ -17,17 +17,9 @@ constexpr const char* kUhfReader = "the UHF reader";
 constexpr const char* kFloorReader = "the floor reader";
 constexpr const char* kForwardReader = "the forward reader";
 
-/// Where no reader is plugged in.
-class NoCard : public CardLink {
-  CardPresence do_presence() override { return CardPresence::kNoReader; }
-  bool do_begin(ByteView) override { return false; }
-  std::optional<Result<Bytes, CardError>> do_poll() override { return std::nullopt; }
-};
-
 }  // namespace
 
-Devices::Devices(const RobotFile& robot, const CardService& service, std::function<void(int)> on_base_open)
-    : no_card_(std::make_unique<NoCard>()) {
+Devices::Devices(const RobotFile& robot, const CardService& service, std::function<void(int)> on_base_open) {
   const DeviceAddresses& at = robot.devices;
   const std::string serial_remedy =
       "is it plugged in and switched on, may you open it (group dialout), and does nobody else have it?";
@@ -86,7 +78,7 @@ ByteLink& Devices::port_or_none(const char* name) {
 CardLink& Devices::card_or_none(const char* name) {
   const auto found =
       std::find_if(slots_.begin(), slots_.end(), [&](const Slot& slot) { return slot.name == name; });
-  return found == slots_.end() ? *no_card_ : static_cast<CardLink&>(*found->card);
+  return found == slots_.end() ? static_cast<CardLink&>(no_card_) : static_cast<CardLink&>(*found->card);
 }
 
 RobotLinks Devices::links() {

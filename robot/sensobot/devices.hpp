@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "robot/hal/no_device.hpp"
 #include "robot/ports/card_port.hpp"
 #include "robot/ports/card_session.hpp"
 #include "robot/ports/port.hpp"
@@ -51,8 +52,8 @@ class Devices {
   CardLink& card_or_none(const char* name);
 
   std::vector<Slot> slots_;
-  NoPort no_port_;
-  std::unique_ptr<CardLink> no_card_;
+  NoByteLink no_port_;
+  NoCardLink no_card_;
 };
 
 }  // namespace sensotwin::robot

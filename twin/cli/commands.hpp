@@ -22,6 +22,7 @@ struct SceneChoice {
   std::filesystem::path scene;
   std::optional<std::uint64_t> seed{};  ///< instead of the scene's
   std::vector<std::string> set{};       ///< "key.path=value", in order
+  std::string variant{};                ///< of the scene's `variants:`; empty: the scene as it is
 };
 
 struct RunOptions {
@@ -31,6 +32,7 @@ struct RunOptions {
   int trace_every{7};  ///< ticks from row to row of trace.csv. Chosen: 0.1 s, a row every 3 cm at 0.3 m/s
   bool pictures{true};
   std::optional<std::filesystem::path> tag_log{};
+  std::optional<std::filesystem::path> journal{};
 };
 [[nodiscard]] Command make_run_command(Deed<RunOptions> deed);
 
@@ -49,6 +51,11 @@ struct ValidateOptions {
   bool pictures{true};
 };
 [[nodiscard]] Command make_validate_command(Deed<ValidateOptions> deed);
+
+struct ReplayOptions {
+  std::filesystem::path journal;
+};
+[[nodiscard]] Command make_replay_command(Deed<ReplayOptions> deed);
 
 struct ShowOptions {
   SceneChoice choice{};
@@ -120,7 +127,10 @@ struct ListTopic {
   std::function<std::vector<ListEntry>()> entries;
 };
 [[nodiscard]] Command make_list_command(std::vector<ListTopic> topics);
-/// Scenes in the first of `folders` that exists: each file's name and first comment line.
+/// The scenes in the first of `folders` that exists, by name.
+[[nodiscard]] std::vector<std::filesystem::path> scene_files(
+    const std::vector<std::filesystem::path>& folders);
+/// Of scene_files(): each file's name and first comment line.
 [[nodiscard]] ListTopic scenes_topic(std::vector<std::filesystem::path> folders);
 /// Figures that `expect:` may ask for.
 [[nodiscard]] ListTopic figures_topic();

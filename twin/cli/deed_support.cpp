@@ -11,7 +11,7 @@ namespace sensotwin::twin {
 
 Scene scene_of(const SceneChoice& choice) {
   try {
-    return read_scene(choice.scene, {.set = choice.set, .seed = choice.seed});
+    return read_scene(choice.scene, {.set = choice.set, .seed = choice.seed, .variant = choice.variant});
   } catch (const SceneError& error) {
     throw CommandError(static_cast<ExitCode>(error.exit_code()), error.what(), true);
   }

@@ -19,5 +19,8 @@ ExitCode chart_deed(const ChartOptions& options, Context& context);
 [[nodiscard]] std::vector<Probe> renderer_probes();
 /// The explorers, for `twin list`.
 [[nodiscard]] ListTopic explorers_topic();
+/// Of scene_files(): "scenes/line.yaml --variant slow" and its title for each variant; what is wrong with a
+/// scene that does not read.
+[[nodiscard]] ListTopic variants_topic(std::vector<std::filesystem::path> folders);
 
 }  // namespace sensotwin::twin

@@ -73,24 +73,25 @@ std::string first_comment(const std::filesystem::path& file) {
   return "";
 }
 
-std::vector<ListEntry> scenes_in(const std::filesystem::path& folder) {
+}  // namespace
+
+std::vector<std::filesystem::path> scene_files(const std::vector<std::filesystem::path>& folders) {
   std::vector<std::filesystem::path> files;
   std::error_code error;
-  for (const auto& entry : std::filesystem::directory_iterator(folder, error)) {
+  const auto folder = std::find_if(folders.begin(), folders.end(), [&](const std::filesystem::path& each) {
+    return std::filesystem::is_directory(each, error);
+  });
+  if (folder == folders.end()) {
+    return files;
+  }
+  for (const auto& entry : std::filesystem::directory_iterator(*folder, error)) {
     if (entry.path().extension() == ".yaml") {
       files.push_back(entry.path());
     }
   }
   std::sort(files.begin(), files.end());
-  std::vector<ListEntry> entries;
-  entries.reserve(files.size());
-  for (const auto& file : files) {
-    entries.push_back({file.string(), first_comment(file)});
-  }
-  return entries;
+  return files;
 }
-
-}  // namespace
 
 Command make_list_command(std::vector<ListTopic> topics) {
   const auto wanted = std::make_shared<std::string>();
@@ -109,13 +110,11 @@ Command make_list_command(std::vector<ListTopic> topics) {
 
 ListTopic scenes_topic(std::vector<std::filesystem::path> folders) {
   return {"scenes", "scene files and what they teach", [folders = std::move(folders)] {
-            for (const auto& folder : folders) {
-              std::error_code error;
-              if (std::filesystem::is_directory(folder, error)) {
-                return scenes_in(folder);
-              }
+            std::vector<ListEntry> entries;
+            for (const auto& file : scene_files(folders)) {
+              entries.push_back({file.string(), first_comment(file)});
             }
-            return std::vector<ListEntry>{};
+            return entries;
           }};
 }
 

@@ -37,6 +37,7 @@ std::vector<Command> commands() {
   probes.insert(probes.end(), renderers.begin(), renderers.end());
   return {
       make_run_command(run_deed),
+      make_replay_command(replay_deed),
       make_validate_command(validate_deed),
       make_chart_command(chart_deed),
       make_render_command(render_deed),
@@ -44,8 +45,8 @@ std::vector<Command> commands() {
       make_import_command(import_deed),
       make_epsilon_command(epsilon_deed),
       make_calibrate_command(calibrate_deed),
-      make_list_command(
-          {scenes_topic(scene_folders()), explorers_topic(), figures_topic(), exit_codes_topic()}),
+      make_list_command({scenes_topic(scene_folders()), variants_topic(scene_folders()), explorers_topic(),
+                         figures_topic(), exit_codes_topic()}),
       make_doctor_command(probes),
   };
 }

@@ -89,7 +89,8 @@ void add_scene_operand(CLI::App& app, SceneChoice& choice) {
   app.add_option("SCENE", choice.scene, "Scene file (YAML)")->required()->option_text(" ");
 }
 
-void add_set_option(CLI::App& app, SceneChoice& choice) {
+void add_changes(CLI::App& app, SceneChoice& choice) {
+  app.add_option("--variant", choice.variant, "One of the scene's variants")->option_text("NAME");
   app.add_option("--set", choice.set, "Change a value of the scene; may be repeated")
       ->option_text("KEY.PATH=VALUE")
       ->allow_extra_args(false)
@@ -106,12 +107,12 @@ void add_scene_options(CLI::App& app, SceneChoice& choice) {
   add_scene_operand(app, choice);
   add_seed_option(
       app, [&choice](std::uint64_t seed) { choice.seed = seed; }, "Seed instead of the scene's");
-  add_set_option(app, choice);
+  add_changes(app, choice);
 }
 
 void add_scene_and_changes(CLI::App& app, SceneChoice& choice) {
   add_scene_operand(app, choice);
-  add_set_option(app, choice);
+  add_changes(app, choice);
 }
 
 void add_output_options(CLI::App& app, std::optional<std::filesystem::path>& out, bool& force,

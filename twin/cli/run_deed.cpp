@@ -54,9 +54,10 @@ ExitCode run_deed(const RunOptions& options, Context& context) {
   const Scene scene = scene_of(options.choice);
   check_expectations(scene);
   if (options.tag_log && !scene.mission.phase) {
-    throw CommandError(ExitCode::kWrongCommandLine, "--tag-log needs a scene with mission.phase: no UHF reader runs here");
+    throw CommandError(ExitCode::kWrongCommandLine,
+                       "--tag-log needs a scene with mission.phase: no UHF reader runs here");
   }
-  const auto path = options.out.value_or(default_run_folder(options.choice.scene, scene.seed, context.utc()));
+  const auto path = options.out.value_or(default_run_folder(scene.name, scene.seed, context.utc()));
   RunFolder folder(path, options.force ? Existing::kReplace : Existing::kRefuse);
   const double total = progress_total_of(scene);
   Progress progress(context.talk, context.progress, scene.name, progress_unit_of(scene));
@@ -68,6 +69,7 @@ ExitCode run_deed(const RunOptions& options, Context& context) {
       .trace_every = options.trace_every,
       .pictures = options.pictures,
       .tag_log = options.tag_log,
+      .journal = options.journal,
       .keep_going =
           [&](const RunProgress& now) {
             state.done = now.done;

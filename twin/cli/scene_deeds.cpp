@@ -115,6 +115,23 @@ std::vector<Probe> renderer_probes() {
   return {renderer_probe(render::Backend::kOsMesa, true), renderer_probe(render::Backend::kEgl, false)};
 }
 
+ListTopic variants_topic(std::vector<std::filesystem::path> folders) {
+  return {"variants", "scenes with each of their variants", [folders = std::move(folders)] {
+            std::vector<ListEntry> entries;
+            for (const std::filesystem::path& file : scene_files(folders)) {
+              try {
+                for (const std::string& variant : read_scene(file).variants) {
+                  entries.push_back({file.string() + " --variant " + variant,
+                                     read_scene(file, {.variant = variant}).title});
+                }
+              } catch (const SceneError& error) {
+                entries.push_back({file.string(), error.problems().front().text()});
+              }
+            }
+            return entries;
+          }};
+}
+
 ListTopic explorers_topic() {
   return {.name = "explorers", .summary = "orders in which the carpet's tiles are visited", .entries = [] {
             std::vector<ListEntry> entries;

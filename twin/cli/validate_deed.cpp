@@ -77,7 +77,7 @@ SeedTable seeds_in(const fs::path& file, const Origin& origin) {
 }
 
 /// Where a validation goes when nobody said where: a folder of its own, also for the second one of a second.
-fs::path new_folder(const fs::path& scene, const std::string& utc) {
+fs::path new_folder(const std::string& scene, const std::string& utc) {
   const fs::path wanted = default_validation_folder(scene, utc);
   fs::path path = wanted;
   for (int i = 2; fs::exists(path); ++i) {
@@ -142,6 +142,7 @@ Validation validation_of(const Scene& scene, const ValidateOptions& options, con
   validation.scene = options.choice.scene.string();
   validation.name = scene.name;
   validation.scene_hash = origin.scene_hash;
+  validation.variant = scene.variant;
   validation.set = options.choice.set;
   validation.seeds = options.seeds;
   validation.runs = runs_of(table, options.seeds);
@@ -177,7 +178,7 @@ ExitCode validate_deed(const ValidateOptions& options, Context& context) {
   const Scene scene = scene_of(options.choice);
   check_before(scene, options, context);
   const Origin origin{scene_hash_of(scene), file_hash_of("/proc/self/exe")};
-  const fs::path path = options.out ? *options.out : new_folder(options.choice.scene, context.utc());
+  const fs::path path = options.out ? *options.out : new_folder(scene.name, context.utc());
   // Read before anything is removed: whoever cannot go on finds the folder as it was.
   SeedTable table;
   if (options.resume && fs::exists(path / kSeedsFile)) {

@@ -177,6 +177,9 @@ std::vector<JudgedFigure> judge(const std::vector<FigureLimits>& expectations, c
 std::string to_json(const Summary& summary) {
   Json json;
   json["scene"] = summary.scene;
+  if (!summary.variant.empty()) {
+    json["variant"] = summary.variant;
+  }
   json["seed"] = summary.seed;
   json["verdict"] = verdict_of(summary);
   json["expect"] = Json::array();

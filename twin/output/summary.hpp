@@ -81,7 +81,8 @@ struct JudgedFigure {
 
 /// summary.json. Nothing in it depends on the machine, its load or its clock: equal runs, equal bytes.
 struct Summary {
-  std::string scene;  ///< as given on the command line
+  std::string scene;    ///< as given on the command line
+  std::string variant;  ///< of the scene; empty: none
   std::uint64_t seed{0};
   bool interrupted{false};
   std::vector<JudgedFigure> expect;

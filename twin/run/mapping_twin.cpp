@@ -13,6 +13,10 @@ robot::MappingLinks rewired(const robot::MappingLinks& links, const MappingTwin:
 
 }  // namespace
 
+std::uint32_t map_id_of(const Scene& scene) {
+  return static_cast<std::uint32_t>(robot::RandomStream(scene.seed).fork("map id").seed());
+}
+
 robot::RobotSettings robot_settings_of(const Scene& scene, std::uint32_t map_id) {
   robot::RobotSettings settings = robot_settings_of(scene);
   settings.map_id = map_id;
@@ -25,7 +29,7 @@ robot::MappingProgramConfig mapping_config_of(const Scene& scene, std::uint32_t 
 
 MappingTwin::MappingTwin(const Scene& scene, const Rewiring& rewire)
     : random_(scene.seed),
-      map_id_(static_cast<std::uint32_t>(random_.fork("map id").seed())),
+      map_id_(map_id_of(scene)),
       machine_(scene, random_),
       forward_reader_(card_reader_settings(scene.robot.forward_reader), random_.fork("forward reader")),
       program_(

@@ -68,46 +68,54 @@ YamlNode& child(YamlNode& section, const std::string& key, const Place& place) {
 
 }  // namespace
 
-bool apply_override(YamlNode& root, const std::string& assignment, std::vector<Problem>& problems) {
-  const Place place{"--set " + assignment, 0, 0};
-  const std::size_t equals = assignment.find('=');
-  const std::vector<Step> steps =
-      equals == std::string::npos ? std::vector<Step>{} : parse_path(assignment.substr(0, equals));
+bool assign(YamlNode& root, const std::string& path, YamlNode value, const Place& place,
+            std::vector<Problem>& problems) {
+  const std::vector<Step> steps = parse_path(path);
   if (steps.empty()) {
-    problems.push_back(
-        {place, "", "is no assignment", "expected key.path=value, such as mission.map.explorer=dfm"});
     return false;
   }
-  YamlNode value = parse_yaml(assignment.substr(equals + 1), place.source, problems);
-  set_place(value, place);
-
   YamlNode* node = &root;
-  std::string path;
+  std::string so_far;
   for (const Step& step : steps) {
     if (node->kind == YamlKind::kNothing) {
       *node = {YamlKind::kSection, place, "", false, {}, {}};
     }
     if (node->kind != YamlKind::kSection) {
-      problems.push_back({place, path, fmt::format("is {} in the file", node->describe()),
+      problems.push_back({place, so_far, fmt::format("is {} in the file", node->describe()),
                           fmt::format("only a section has a key '{}'", step.key)});
       return true;
     }
-    path += (path.empty() ? "" : ".") + step.key;
+    so_far += (so_far.empty() ? "" : ".") + step.key;
     node = &child(*node, step.key, place);
     for (const std::size_t index : step.indices) {
       if (node->kind != YamlKind::kList || index >= node->items.size()) {
-        problems.push_back({place, path, fmt::format("has no item {}", index),
+        problems.push_back({place, so_far, fmt::format("has no item {}", index),
                             node->kind == YamlKind::kList
                                 ? fmt::format("it has {}, counted from 0", node->items.size())
                                 : "it is no list"});
         return true;
       }
       node = &node->items[index];
-      path += fmt::format("[{}]", index);
+      so_far += fmt::format("[{}]", index);
     }
   }
   *node = std::move(value);
   return true;
+}
+
+bool apply_override(YamlNode& root, const std::string& assignment, std::vector<Problem>& problems) {
+  const Place place{"--set " + assignment, 0, 0};
+  const std::size_t equals = assignment.find('=');
+  if (equals != std::string::npos) {
+    YamlNode value = parse_yaml(assignment.substr(equals + 1), place.source, problems);
+    set_place(value, place);
+    if (assign(root, assignment.substr(0, equals), std::move(value), place, problems)) {
+      return true;
+    }
+  }
+  problems.push_back(
+      {place, "", "is no assignment", "expected key.path=value, such as mission.map.explorer=dfm"});
+  return false;
 }
 
 }  // namespace sensotwin::twin

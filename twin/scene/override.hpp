@@ -9,6 +9,11 @@
 
 namespace sensotwin::twin {
 
+/// Puts `value` where "key.path[index].key" says; sections on the way that are not there are made. \returns
+/// false when `path` is not of that form; other mistakes are appended to `problems` with the place
+[[nodiscard]] bool assign(YamlNode& root, const std::string& path, YamlNode value, const Place& place,
+                          std::vector<Problem>& problems);
+
 /// Puts the value of "key.path[index]=value" into the tree, so that it is read and checked like the file
 /// itself. \returns false when the text is not of that form; other mistakes are appended to `problems` with
 /// the place

@@ -108,8 +108,10 @@ struct Scene {
   int version{1};         ///< of the file format; the reader refuses others
   std::uint64_t seed{0};  ///< every random stream of the run forks from this
   std::string title;      ///< `title:`, else the first comment line of the file
-  std::string name;       ///< the file's name without folder and extension
-  std::string file;       ///< as the user spelt it
+  std::string variant;    ///< that was chosen; empty: none
+  std::string name;       ///< the file's name without folder and extension, and of a variant "-" and its name
+  std::vector<std::string> variants;  ///< names of those that the file offers
+  std::string file;                   ///< as the user spelt it
   Layout layout;
   world::WorldDescription world;  ///< walls and carpet made from `layout`
   world::RobotDescription robot;

@@ -16,6 +16,7 @@
 #include "twin/scene/radio_profile.hpp"
 #include "twin/scene/scene_checks.hpp"
 #include "twin/scene/text_file.hpp"
+#include "twin/scene/variant.hpp"
 #include "twin/scene/yaml_tree.hpp"
 
 namespace sensotwin::twin {
@@ -101,7 +102,8 @@ void furnish(Scene& scene, const FloorPlan& floor, SceneChecks& checks, const Fi
 }
 
 YamlNode parse_with_overrides(const std::string& text, const std::string& source,
-                              const SceneOverrides& overrides, std::vector<Problem>& problems) {
+                              const SceneOverrides& overrides, std::vector<std::string>& variants,
+                              std::vector<Problem>& problems) {
   YamlNode root = parse_yaml(text, source, problems);
   if (problems.empty() && root.kind == YamlKind::kNothing) {
     problems.push_back({{source, 1, 1}, "", "the file holds no scene", "expected version, seed, world ..."});
@@ -110,6 +112,11 @@ YamlNode parse_with_overrides(const std::string& text, const std::string& source
   }
   if (!problems.empty()) {
     throw SceneError(problems, kExitInvalid);
+  }
+  variants = take_variant(root, overrides.variant, problems);
+  if (!overrides.variant.empty() &&
+      std::find(variants.begin(), variants.end(), overrides.variant) == variants.end()) {
+    throw SceneError(problems, kExitUsage);
   }
   for (const std::string& assignment : overrides.set) {
     if (!apply_override(root, assignment, problems)) {
@@ -131,13 +138,14 @@ Scene read_scene(const std::filesystem::path& file, const SceneOverrides& overri
 Scene read_scene_text(const std::string& text, const std::filesystem::path& file,
                       const SceneOverrides& overrides) {
   std::vector<Problem> problems;
-  YamlNode root = parse_with_overrides(text, file.string(), overrides, problems);
+  Scene scene;
+  YamlNode root = parse_with_overrides(text, file.string(), overrides, scene.variants, problems);
   int exit_code = kExitInvalid;
   take_radio_profile(root, file.parent_path(), problems, exit_code);
 
-  Scene scene;
   scene.file = file.string();
-  scene.name = file.stem().string();
+  scene.variant = overrides.variant;
+  scene.name = file.stem().string() + (overrides.variant.empty() ? "" : "-" + overrides.variant);
   FieldReader reader(root, problems);
   visit_fields(reader, scene);
   reader.finish();

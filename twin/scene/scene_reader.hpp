@@ -16,8 +16,10 @@ namespace sensotwin::twin {
 struct SceneOverrides {
   /// "key.path=value", the value in YAML: "mission.map.explorer=dfm", "world.furniture[0].mass_kg=4".
   /// Sections on the way that the file leaves out are made.
-  std::vector<std::string> set;
-  std::optional<std::uint64_t> seed;
+  std::vector<std::string> set{};
+  std::optional<std::uint64_t> seed{};
+  /// One of the scene's `variants:` (variant.hpp), taken before `set`; empty: the scene as it is.
+  std::string variant{};
 };
 
 /// Reads a scene file and the map it names, strictly: a scene with any mistake does not run.

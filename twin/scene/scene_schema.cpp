@@ -181,6 +181,11 @@ std::string scene_schema() {
   visit_fields(builder, defaults);
   Json schema{{"$schema", "https://json-schema.org/draft/2020-12/schema"}, {"title", "SensoTwin scene"}};
   schema.update(builder.root());
+  // Paths are made of all keys above, so the schema can only say what form they have.
+  schema["properties"]["variants"] = {
+      {"description", "changes by name, for --variant: paths as of --set, with the values to put there"},
+      {"type", "object"},
+      {"additionalProperties", {{"type", "object"}}}};
   return schema.dump(1) + "\n";
 }
 

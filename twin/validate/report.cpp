@@ -163,6 +163,9 @@ std::string estimate_text(const JudgedThreshold& judged) {
 
 std::string rerun_command(const Validation& validation, std::uint64_t seed) {
   std::string command = fmt::format("twin run {} --seed {}", for_shell(validation.scene), seed);
+  if (!validation.variant.empty()) {
+    command += " --variant " + for_shell(validation.variant);
+  }
   for (const std::string& change : validation.set) {
     command += " --set " + for_shell(change);
   }
@@ -200,6 +203,7 @@ std::string to_table(const Validation& validation) {
 
 std::string to_json(const Validation& validation) {
   Json json{{"scene", validation.scene},
+            {"variant", validation.variant},
             {"set", validation.set},
             {"scene_hash", validation.scene_hash},
             {"seeds", seeds_text(validation.seeds)},

@@ -15,6 +15,7 @@ struct Validation {
   std::string scene;                 ///< as given on the command line
   std::string name;                  ///< of the scene
   std::string scene_hash;            ///< scene_hash_of()
+  std::string variant;               ///< of the scene; empty: none
   std::vector<std::string> set;      ///< "key.path=value", as given
   std::vector<std::uint64_t> seeds;  ///< asked for, ascending
   std::vector<RunOutcome> runs;      ///< done, ascending

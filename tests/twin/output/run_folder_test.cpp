@@ -187,7 +187,7 @@ TEST(RunFolder, LeavesNothingOfAPictureWhoseWriterThrew) {
 }
 
 TEST(RunFolder, NamesItselfAfterSceneSeedAndTheTimeThatItWasHanded) {
-  EXPECT_EQ(default_run_folder("scenes/house.yaml", 7, "20260131T235959Z"), "runs/house-7-20260131T235959Z");
+  EXPECT_EQ(default_run_folder("house", 7, "20260131T235959Z"), "runs/house-7-20260131T235959Z");
 }
 
 }  // namespace

@@ -37,6 +37,10 @@ TEST(PublishedScenes, AllReadAndShow) {
       EXPECT_FALSE(scene.expect.empty()) << entry.path();
       EXPECT_EQ(scene_yaml(read_scene_text(scene_yaml(scene), entry.path())), scene_yaml(scene))
           << entry.path();
+      for (const std::string& variant : scene.variants) {
+        EXPECT_NO_THROW(static_cast<void>(read_scene(entry.path(), {.variant = variant})))
+            << entry.path() << " --variant " << variant;
+      }
       ++count;
     }
   }

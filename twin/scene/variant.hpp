@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "twin/scene/problem.hpp"
+#include "twin/scene/yaml_tree.hpp"
+
+namespace sensotwin::twin {
+
+/// Takes the section `variants:` out of a scene and does what the chosen one says, so that the rest is read
+/// and checked as if the file said it itself:
+///
+///   variants:
+///     slow:                                          # twin run SCENE --variant slow
+///       mission.phase.speed_mps: 0.1                 # a path as of --set: a value that replaces what is
+///       there expect: { rmse_m: { max: 0.02 } }
+///
+/// \param chosen  name of a variant; empty: the scene as it is
+/// \param problems  mistakes are appended with their places; values of variants that are not chosen are not
+/// looked at \returns the names of all variants, in the order of the file
+[[nodiscard]] std::vector<std::string> take_variant(YamlNode& root, const std::string& chosen,
+                                                    std::vector<Problem>& problems);
+
+}  // namespace sensotwin::twin

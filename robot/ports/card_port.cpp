@@ -135,7 +135,8 @@ void CardPort::set_field(const CardField& field) {
   const std::lock_guard lock(mutex_);
   tried_ = true;
   trouble_.clear();
-  swapped_ = field.card && another && presence_ == CardPresence::kPresent;
+  // Kept until presence() has shown it.
+  swapped_ = field.card && (swapped_ || (another && presence_ == CardPresence::kPresent));
   presence_ = field.card ? CardPresence::kPresent : CardPresence::kEmpty;
 }
 

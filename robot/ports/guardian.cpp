@@ -63,11 +63,12 @@ Heard hear(int socket) {
   return heard;
 }
 
-[[noreturn]] void guard(int socket, const GuardianConfig& config) {
+[[noreturn]] void guard(int socket, const GuardianConfig& config, const sigset_t& signals) {
   ::setsid();
   for (const int signal : {SIGINT, SIGTERM, SIGHUP, SIGQUIT, SIGPIPE, SIGTSTP}) {
     (void)std::signal(signal, SIG_IGN);
   }
+  ::sigprocmask(SIG_SETMASK, &signals, nullptr);
   Bytes farewell = config.stop;
   farewell.insert(farewell.end(), config.farewell.begin(), config.farewell.end());
   Descriptor port;
@@ -112,13 +113,20 @@ Result<Guardian, int> Guardian::begin(const GuardianConfig& config) {
   }
   Descriptor ours{ends[0]};
   Descriptor its{ends[1]};
+  // A signal between the fork and the guardian's own handlers must not end it.
+  sigset_t every{};
+  sigset_t before{};
+  sigfillset(&every);
+  ::sigprocmask(SIG_SETMASK, &every, &before);
   const pid_t pid = ::fork();
-  if (pid < 0) {
-    return Unexpected{errno};
-  }
+  const int error = errno;
   if (pid == 0) {
     ours.close();
-    guard(its.get(), config);
+    guard(its.get(), config, before);
+  }
+  ::sigprocmask(SIG_SETMASK, &before, nullptr);
+  if (pid < 0) {
+    return Unexpected{error};
   }
   return Guardian{std::move(ours), pid};
 }

@@ -41,6 +41,10 @@ struct HallwayConfig {
   double stop_m{0.40};
   /// So long it waits for what stands in the way to leave: people do. Chosen.
   Duration patience{std::chrono::seconds{8}};
+  /// The map's lengths are from middle to middle, off a plan: wrong by so much. Chosen: a tape measure over a
+  /// plan.
+  double length_slack{0.10};
+  double length_slack_m{1.5};
   /// Without a place for so much way beyond what the map says, it is lost. Chosen.
   double overshoot_m{6.0};
   /// The longest way to a place when the map gives no length. Chosen: a long hallway.

@@ -8,42 +8,28 @@
 namespace sensotwin::robot {
 namespace {
 
-/// The map's lengths are from middle to middle and drawn on a plan. Chosen: what a tape measure over a plan
-/// is off.
-constexpr double kLengthSlack = 0.10;
-constexpr double kLengthSlack_m = 1.5;
 /// Half hallways that may be looked for a first tag in, each way. Chosen: there and back once, and once more.
 constexpr int kSearches = 4;
-/// What a sonar of 15 degrees does not see of an opening at each of its ends, in parts of the distance.
-constexpr double kConeTangent = 0.268;
 
 }  // namespace
 
 HallwayMission::HallwayMission(HallwayMissionConfig config)
-    : config_(std::move(config)),
-      tracker_(config_.robot),
-      pilot_(config_.robot, tracker_, step_),
-      script_(run()) {}
+    : config_(std::move(config)), walk_(config_.robot), script_(run()) {}
 
 HallwayCommand HallwayMission::step(const HallwaySensed& sensed) {
-  step_.sensed = sensed;
-  tracker_.step(sensed);
-  if (sensed.tag) {
-    tag_ = sensed.tag;
-  }
-  // Without a compass it does not know which way it faces.
-  if (!done() && tracker_.heading_rad()) {
+  const bool oriented = walk_.take(sensed);
+  if (!done() && oriented) {
     if (started_) {
-      step_.next.resume();
+      walk_.step().next.resume();
     } else {
       started_ = true;
       script_.start();
     }
   }
   if (done()) {
-    step_.command = {};
+    walk_.step().command = {};
   }
-  return step_.command;
+  return walk_.step().command;
 }
 
 Task<> HallwayMission::run() {
@@ -69,18 +55,18 @@ Task<> HallwayMission::run() {
       co_return;
     }
   }
-  co_await pilot_.brake();
+  co_await walk_.pilot().brake();
   status_.arrived = true;
   say(HallwayEventKind::kGoal, config_.goal);
 }
 
 Task<bool> HallwayMission::find_place() {
-  CompassPoint heading = nearest_point(*tracker_.heading_rad());
+  CompassPoint heading = nearest_point(*walk_.tracker().heading_rad());
   for (int i = 0; i < kSearches; ++i) {
-    co_await pilot_.turn_to(heading);
-    const Leg leg{std::nullopt, heading, std::nullopt, std::nullopt};
-    const Passage passage = co_await go_along(leg);
-    if (passage.end == End::kArrived) {
+    co_await walk_.pilot().turn_to(heading);
+    const HallwayLeg leg{std::nullopt, heading, std::nullopt, std::nullopt};
+    const HallwayPassage passage = co_await walk_.along(leg, *this);
+    if (passage.end == PassageEnd::kArrived) {
       say(HallwayEventKind::kPlaced, passage.at.node, passage.at.from);
       co_await come_to(passage, std::nullopt);
       co_return true;
@@ -91,23 +77,22 @@ Task<bool> HallwayMission::find_place() {
 }
 
 Task<bool> HallwayMission::go_on(RouteStep step) {
-  co_await pilot_.turn_to(step.exit);
+  co_await walk_.pilot().turn_to(step.exit);
   status_.leaving = step.exit;
   status_.heading_for = step.to;
   say(HallwayEventKind::kLeft, step.from, step.exit);
-  const Leg leg = leg_of(step.from, step.exit);
-  Passage passage = co_await go_along(leg);
-  if (passage.end == End::kBlocked) {
+  const HallwayLeg leg = leg_of(step.from, step.exit);
+  HallwayPassage passage = co_await walk_.along(leg, *this);
+  if (passage.end == PassageEnd::kBlocked) {
     say(HallwayEventKind::kBlocked, step.from, step.exit);
     blocked_.block(config_.map, step.from, step.exit);
-    const double way_m = tracker_.way_m();
     const CompassPoint home = opposite(step.exit);
-    co_await pilot_.turn_to(home);
-    const Leg way_back{std::nullopt, home, step.from, way_m};
-    passage = co_await go_along(way_back);
+    co_await walk_.pilot().turn_to(home);
+    const HallwayLeg way_back{std::nullopt, home, step.from, passage.way_m};
+    passage = co_await walk_.along(way_back, *this);
     status_.heading_for = step.from;
   }
-  if (passage.end != End::kArrived) {
+  if (passage.end != PassageEnd::kArrived) {
     // Nothing where a place should be: any tag will do.
     const bool found = co_await find_place();
     co_return found;
@@ -116,97 +101,45 @@ Task<bool> HallwayMission::go_on(RouteStep step) {
   co_return true;
 }
 
-Task<HallwayMission::Passage> HallwayMission::go_along(Leg leg) {
-  tracker_.enter(leg.heading);
-  tag_.reset();
-  const double longest_m = leg.length_m ? *leg.length_m * (1.0 + kLengthSlack) + config_.robot.overshoot_m
-                                        : config_.robot.longest_m;
-  while (tracker_.way_m() < longest_m) {
-    pilot_.follow(config_.robot.speed_mps);
-    co_await step_.next;
-    if (const std::optional<Passage> passage = by_tag(leg)) {
-      co_return *passage;
-    }
-    if (const std::optional<Passage> passage = by_sonar(leg)) {
-      say(HallwayEventKind::kTagMissed, passage->at.node, passage->at.from);
-      co_return *passage;
-    }
-    if (pilot_.in_the_way()) {
-      const bool gone = co_await deal_with_obstacle();
-      if (!gone) {
-        co_return Passage{End::kBlocked, {}, 0.0};
-      }
-    }
-  }
-  co_await pilot_.brake();
-  co_return Passage{End::kLost, {}, 0.0};
-}
-
-Task<bool> HallwayMission::deal_with_obstacle() {
-  if (pilot_.bumped()) {
-    say(HallwayEventKind::kBumped, status_.place);
-    co_await pilot_.back(0.10);
-  }
-  co_await pilot_.brake();
-  say(HallwayEventKind::kWaiting, status_.place);
-  co_await pilot_.wait(config_.robot.patience);
-  if (!pilot_.in_the_way()) {
-    co_return true;
-  }
-  // The side with more room between the robot and its wall first.
-  const bool left_first = tracker_.left_of_middle_m().value_or(0.0) >= 0.0;
-  for (const bool left : {left_first, !left_first}) {
-    const bool passed = co_await pilot_.pass_on(left);
-    if (passed) {
-      say(HallwayEventKind::kWentRound, status_.place);
-      co_return true;
-    }
-  }
-  co_return false;
-}
-
-Task<> HallwayMission::come_to(Passage passage, std::optional<NodeIndex> meant) {
+Task<> HallwayMission::come_to(HallwayPassage passage, std::optional<NodeIndex> meant) {
   if (meant && *meant != passage.at.node) {
     say(HallwayEventKind::kElsewhere, passage.at.node, passage.at.from);
   }
-  co_await pilot_.advance(passage.to_middle_m);
+  co_await walk_.pilot().advance(passage.to_middle_m);
   status_.place = passage.at.node;
   status_.leaving.reset();
   status_.heading_for.reset();
 }
 
-std::optional<HallwayMission::Passage> HallwayMission::by_tag(Leg& leg) {
-  const std::optional<TagNumber> tag = std::exchange(tag_, std::nullopt);
-  if (!tag) {
-    return std::nullopt;
-  }
-  const std::optional<Arrival> met = config_.map.place_of(*tag);
+std::optional<HallwayPassage> HallwayMission::by_tag(HallwayLeg& leg, TagNumber tag) {
+  const std::optional<Arrival> met = config_.map.place_of(tag);
   if (!met) {
-    say(HallwayEventKind::kStrangeTag, {}, {}, static_cast<double>(*tag));
+    say(HallwayEventKind::kStrangeTag, {}, {}, static_cast<double>(tag));
     return std::nullopt;
   }
   say(HallwayEventKind::kTag, met->node, met->from);
-  const bool just_left = leg.from == met->node && tracker_.way_m() < 2.0 * config_.robot.tag_to_middle_m;
-  const bool ran_over = leg.to == met->node && leg.length_m && tracker_.way_m() > *leg.length_m &&
+  const bool just_left =
+      leg.from == met->node && walk_.tracker().way_m() < 2.0 * walk_.config().tag_to_middle_m;
+  const bool ran_over = leg.to == met->node && leg.length_m && walk_.tracker().way_m() > *leg.length_m &&
                         met->from != opposite(leg.heading);
   const bool leaving = just_left || ran_over || met->from == leg.heading;
   const CompassPoint heading = leaving ? met->from : opposite(met->from);
   if (heading != leg.heading) {
     say(HallwayEventKind::kTurnedWrong, met->node, met->from);
-    tracker_.correct(quarter_turns_right(leg.heading, heading));
+    walk_.tracker().correct(quarter_turns_right(leg.heading, heading));
     blocked_.clear();  // whatever it met, it met elsewhere
   }
   if (!leaving) {
     say(HallwayEventKind::kArrived, met->node, met->from);
-    return Passage{End::kArrived, *met, config_.robot.tag_to_middle_m};
+    return HallwayPassage{PassageEnd::kArrived, *met, walk_.config().tag_to_middle_m, 0.0};
   }
   if (heading != leg.heading || leg.from != met->node) {
     // The place ahead is another one than was thought.
     leg = leg_of(met->node, met->from);
     if (leg.length_m) {
-      *leg.length_m -= config_.robot.tag_to_middle_m;
+      *leg.length_m -= walk_.config().tag_to_middle_m;
     }
-    tracker_.enter(leg.heading);
+    walk_.tracker().enter(leg.heading);
     status_.place = met->node;
     status_.leaving = leg.heading;
     status_.heading_for = leg.to;
@@ -214,38 +147,30 @@ std::optional<HallwayMission::Passage> HallwayMission::by_tag(Leg& leg) {
   return std::nullopt;
 }
 
-bool HallwayMission::place_is_due(const Leg& leg, double slack_m) const {
-  return !leg.length_m || tracker_.way_m() > *leg.length_m * (1.0 - kLengthSlack) - slack_m;
-}
-
-std::optional<HallwayMission::Passage> HallwayMission::by_sonar(const Leg& leg) const {
+std::optional<HallwayPassage> HallwayMission::by_sonar(const HallwayLeg& leg) {
+  const HallwayConfig& robot = walk_.config();
+  const double way_m = walk_.tracker().way_m();
   // Not the junction that it is just leaving.
-  if (!leg.to || tracker_.way_m() < 1.5 * config_.robot.tag_to_middle_m ||
-      !place_is_due(leg, kLengthSlack_m)) {
+  if (!leg.to || way_m < 1.5 * robot.tag_to_middle_m ||
+      (leg.length_m && way_m < *leg.length_m * (1.0 - robot.length_slack) - robot.length_slack_m)) {
+    return std::nullopt;
+  }
+  const auto leads = [&](int turn) {
+    return config_.map.node(*leg.to).side(turned_right(leg.heading, turn)).hallway != Hallway::kNone;
+  };
+  std::optional<double> to_middle_m = walk_.opening_ahead_m(leads(-1), leads(1));
+  if (!to_middle_m && !leads(0)) {
+    to_middle_m = walk_.end_ahead_m();
+  }
+  if (!to_middle_m) {
     return std::nullopt;
   }
   const Arrival arrival{*leg.to, opposite(leg.heading)};
-  const HallwayNode& node = config_.map.node(*leg.to);
-  const auto leads = [&](int turn) {
-    return node.side(turned_right(leg.heading, turn)).hallway != Hallway::kNone;
-  };
-  const double open_m =
-      std::max(leads(-1) ? tracker_.left().open_for_m : 0.0, leads(1) ? tracker_.right().open_for_m : 0.0);
-  if (open_m > config_.robot.opening_m) {
-    const double half_m = 0.5 * tracker_.width_m();
-    // The edge was seen for so long after it had been passed.
-    const double since_edge_m = open_m + kConeTangent * half_m;
-    return Passage{End::kArrived, arrival, std::max(0.0, 0.5 * config_.robot.hallway_width_m - since_edge_m)};
-  }
-  if (!leads(0) && pilot_.in_the_way() && !pilot_.bumped()) {
-    const double to_middle_m =
-        tracker_.ahead_m().value_or(0.0) + config_.robot.radius_m - 0.5 * config_.robot.hallway_width_m;
-    return Passage{End::kArrived, arrival, std::max(0.0, to_middle_m)};
-  }
-  return std::nullopt;
+  say(HallwayEventKind::kTagMissed, arrival.node, arrival.from);
+  return HallwayPassage{PassageEnd::kArrived, arrival, *to_middle_m, 0.0};
 }
 
-HallwayMission::Leg HallwayMission::leg_of(NodeIndex from, CompassPoint exit) const {
+HallwayLeg HallwayMission::leg_of(NodeIndex from, CompassPoint exit) const {
   const Side& side = config_.map.node(from).side(exit);
   if (side.hallway != Hallway::kLeadsTo) {
     return {from, exit, std::nullopt, std::nullopt};
@@ -255,7 +180,7 @@ HallwayMission::Leg HallwayMission::leg_of(NodeIndex from, CompassPoint exit) co
 
 void HallwayMission::say(HallwayEventKind kind, std::optional<NodeIndex> place,
                          std::optional<CompassPoint> side, double value) {
-  log_.add({step_.sensed.stamp, kind, place ? config_.map.node(*place).name : std::string{}, side, value});
+  walk_.say(kind, place ? config_.map.node(*place).name : std::string{}, side, value);
 }
 
 void HallwayMission::stop(HallwayEventKind why) {

@@ -6,11 +6,9 @@
 #include <string>
 
 #include "robot/base/task.hpp"
-#include "robot/topology/hallway_log.hpp"
 #include "robot/topology/hallway_map.hpp"
-#include "robot/topology/hallway_pilot.hpp"
 #include "robot/topology/hallway_route.hpp"
-#include "robot/topology/hallway_tracker.hpp"
+#include "robot/topology/hallway_walk.hpp"
 
 namespace sensotwin::robot {
 
@@ -42,12 +40,10 @@ struct HallwayStatus {
 /// planned. Each end that is not the goal is standing still with an entry in the log.
 ///
 /// Neither copies nor moves: its behaviours hold references into it.
-class HallwayMission {
+class HallwayMission final : private PlaceWatcher {
  public:
   /// \pre the map is sound; start and goal are nodes of it
   explicit HallwayMission(HallwayMissionConfig config);
-  HallwayMission(const HallwayMission&) = delete;
-  HallwayMission& operator=(const HallwayMission&) = delete;
 
   /// One control step. \pre sensed.stamp is later than the last one
   /// \returns the command that holds until the next call
@@ -55,52 +51,28 @@ class HallwayMission {
 
   [[nodiscard]] bool done() const { return status_.arrived || status_.stopped; }
   [[nodiscard]] const HallwayStatus& status() const { return status_; }
-  [[nodiscard]] const HallwayTracker& tracker() const { return tracker_; }
+  [[nodiscard]] const HallwayTracker& tracker() const { return walk_.tracker(); }
   [[nodiscard]] const HallwayMap& map() const { return config_.map; }
-  [[nodiscard]] HallwayLog& log() { return log_; }
+  [[nodiscard]] HallwayLog& log() { return walk_.log(); }
 
  private:
-  /// A hallway to be gone along.
-  struct Leg {
-    std::optional<NodeIndex> from;  ///< place behind
-    CompassPoint heading;
-    std::optional<NodeIndex> to;     ///< place ahead, where the map knows it
-    std::optional<double> length_m;  ///< from here to there
-  };
-  enum class End : std::uint8_t { kArrived, kBlocked, kLost };
-  struct Passage {
-    End end{End::kLost};
-    Arrival at;               ///< of kArrived
-    double to_middle_m{0.0};  ///< of kArrived
-  };
-
   Task<> run();
   /// From anywhere: along the hallway until a tag tells.
   Task<bool> find_place();
   Task<bool> go_on(RouteStep step);
-  Task<Passage> go_along(Leg leg);
-  /// What stands in the way: \returns whether it is gone or passed
-  Task<bool> deal_with_obstacle();
-  Task<> come_to(Passage passage, std::optional<NodeIndex> meant);
+  Task<> come_to(HallwayPassage passage, std::optional<NodeIndex> meant);
 
-  /// What the last tag says of the leg; a leg that turns out to be another one is set right.
-  [[nodiscard]] std::optional<Passage> by_tag(Leg& leg);
-  /// Whether the sonars see the place ahead, though its tag has not been read.
-  [[nodiscard]] std::optional<Passage> by_sonar(const Leg& leg) const;
-  [[nodiscard]] bool place_is_due(const Leg& leg, double slack_m) const;
-  [[nodiscard]] Leg leg_of(NodeIndex from, CompassPoint exit) const;
+  std::optional<HallwayPassage> by_tag(HallwayLeg& leg, TagNumber tag) override;
+  std::optional<HallwayPassage> by_sonar(const HallwayLeg& leg) override;
+  [[nodiscard]] HallwayLeg leg_of(NodeIndex from, CompassPoint exit) const;
   void say(HallwayEventKind kind, std::optional<NodeIndex> place = {}, std::optional<CompassPoint> side = {},
            double value = 0.0);
   void stop(HallwayEventKind why);
 
   HallwayMissionConfig config_;
-  HallwayTracker tracker_;
-  HallwayStep step_;
-  HallwayPilot pilot_;
-  HallwayLog log_;
+  HallwayWalk walk_;
   HallwayStatus status_;
   BlockedHallways blocked_;
-  std::optional<TagNumber> tag_;  ///< read, and not yet thought about
   bool started_{false};
   Task<> script_;
 };

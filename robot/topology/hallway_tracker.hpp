@@ -11,13 +11,10 @@ namespace sensotwin::robot {
 
 /// What a wall at one side looks like.
 struct WallSide {
-  /// From the middle of the robot, by the last reading; nothing where none is seen.
+  /// From the middle of the robot, filtered; nothing where no wall is.
   std::optional<double> distance_m{};
-  /// Way driven since the wall was last seen; 0 beside a wall.
+  /// Way driven since the wall ended, where nothing is seen in its place; 0 beside a wall.
   double open_for_m{0.0};
-  /// Of the last opening that has ended: how long it was, and where on the way its middle lay.
-  double opening_m{0.0};
-  double opening_middle_m{0.0};
 };
 
 /// Where a robot in a hallway heads and what is beside it: dead reckoning, held by compass and walls.
@@ -47,8 +44,8 @@ class HallwayTracker {
   [[nodiscard]] std::optional<CompassPoint> axis() const { return axis_; }
   /// Since enter().
   [[nodiscard]] double way_m() const { return way_m_; }
-  [[nodiscard]] const WallSide& left() const { return sides_[0]; }
-  [[nodiscard]] const WallSide& right() const { return sides_[1]; }
+  [[nodiscard]] const WallSide& left() const { return flanks_[0].wall; }
+  [[nodiscard]] const WallSide& right() const { return flanks_[1].wall; }
   /// Free way ahead of the shell, as far as the forward sonars see; nothing: no echo.
   [[nodiscard]] std::optional<double> ahead_m() const { return ahead_m_; }
   /// The width of this hallway: measured, or as configured.
@@ -62,15 +59,22 @@ class HallwayTracker {
     double distance_m;
     double off_axis_rad;  ///< that the robot headed then, as far as it knew
   };
-  /// The last readings of one wall without a jump between them.
-  struct Trail {
-    std::array<Sight, 24> at{};
-    std::size_t count{0};
+  /// What is remembered of one side.
+  struct Flank {
+    WallSide wall{};
+    std::optional<double> candidate_m{};  ///< perhaps a wall: seen so far off, for so many readings
+    std::size_t seen{0};
+    double seen_at_m{0.0};          ///< way at the last sight of the wall
+    double moved_m{0.0};            ///< towards this side since the last reading, by the wheels
+    std::array<Sight, 24> trail{};  ///< its last sights
+    std::size_t sights{0};
   };
 
   void take_compass(double compass_rad);
   void take_ranges(const SonarRanges& ranges_m);
-  void take_side(std::size_t side, const std::optional<double>& range_m);
+  void take_side(Flank& flank, const std::optional<double>& range_m);
+  void see_wall(Flank& flank, double distance_m);
+  void look_for_wall(Flank& flank, const std::optional<double>& nearest_m);
   void take_slope(std::size_t side);
 
   HallwayConfig config_;
@@ -78,9 +82,7 @@ class HallwayTracker {
   std::optional<CompassPoint> axis_;
   double way_m_{0.0};
   double width_m_;
-  std::array<WallSide, 2> sides_{};
-  std::array<Trail, 2> trails_{};
-  std::array<double, 2> seen_at_m_{};  ///< way at the last sight of each wall
+  std::array<Flank, 2> flanks_{};  ///< left, right
   std::optional<double> ahead_m_;
 };
 

@@ -25,9 +25,10 @@ struct HallwayConfig {
 
   /// The plan's north, counter-clockwise from magnetic north.
   double plan_north_rad{0.0};
-  /// From where a tag is read to the middle of its place. Chosen: a tag hangs where the hallway meets the
-  /// junction, half a hallway's width off its middle.
+  /// From a tag to the middle of its place, and how near a tag is read. Assumed: it hangs where the hallway
+  /// meets the junction, half a hallway's width off its middle; algorithms study, D: 0.3 to 1 m.
   double tag_to_middle_m{1.0};
+  double tag_reach_m{0.3};
   double hallway_width_m{2.0};  ///< until it has been measured. Algorithms study, D: 1.5 to 2.5 m
 
   double speed_mps{0.3};          ///< Chosen: 60 % of the Roomba's 0.5 m/s leaves room to correct

@@ -26,6 +26,7 @@ enum class HallwayEventKind : std::uint8_t {
   kWentRound,      ///< it was passed
   kBlocked,        ///< the hallway on this side is given up
   kBumped,         ///< touched something
+  kMapWhole,       ///< of a survey: no hallway is left whose end is unknown
   kGoal,           ///< at the goal
   kNoWay,          ///< no free hallway leads to the goal: the mission ends here
   kOnlyByUnknown,  ///< as kNoWay, but a hallway whose end is unknown might: the mission ends here
@@ -61,6 +62,8 @@ enum class HallwayEventKind : std::uint8_t {
       return "hallway blocked";
     case HallwayEventKind::kBumped:
       return "touched something";
+    case HallwayEventKind::kMapWhole:
+      return "map whole";
     case HallwayEventKind::kGoal:
       return "at the goal";
     case HallwayEventKind::kNoWay:

@@ -131,7 +131,7 @@ std::optional<HallwayPassage> HallwayMission::by_tag(HallwayLeg& leg, TagNumber 
   }
   if (!leaving) {
     say(HallwayEventKind::kArrived, met->node, met->from);
-    return HallwayPassage{PassageEnd::kArrived, *met, walk_.config().tag_to_middle_m, 0.0};
+    return HallwayPassage{PassageEnd::kArrived, *met, walk_.tag_to_middle_m(), 0.0};
   }
   if (heading != leg.heading || leg.from != met->node) {
     // The place ahead is another one than was thought.

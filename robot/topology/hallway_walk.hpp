@@ -67,6 +67,8 @@ class HallwayWalk {
   [[nodiscard]] const HallwayPilot& pilot() const { return pilot_; }
   [[nodiscard]] HallwayStep& step() { return step_; }
   [[nodiscard]] HallwayLog& log() { return log_; }
+  /// From where a tag is read on coming to a place to the middle of that.
+  [[nodiscard]] double tag_to_middle_m() const { return config_.tag_to_middle_m + config_.tag_reach_m; }
   /// How far it is to the middle of a hallway that crosses or joins on one of these sides, once enough of it
   /// is seen to be no doorway.
   [[nodiscard]] std::optional<double> opening_ahead_m(bool left, bool right) const;

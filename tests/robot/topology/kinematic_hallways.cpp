@@ -9,7 +9,6 @@ namespace sensotwin::robot {
 namespace {
 
 constexpr double kBox_m = 0.25;
-constexpr double kTagReach_m = 0.3;
 constexpr double kRayStep_m = 0.02;
 
 /// W: x east, y north; a yaw of W is counter-clockwise from east, the plan's from north.
@@ -101,7 +100,7 @@ HallwaySensed KinematicHallways::sense() {
     sensed.ranges_m = ranges;
   }
   for (const Spot& spot : spots_) {
-    if ((spot.at_m - X_WR_.p_m).norm() > kTagReach_m) {
+    if ((spot.at_m - X_WR_.p_m).norm() > config_.tag_reach_m) {
       over_.erase(spot.tag);
     } else if (over_.insert(spot.tag).second && !random_.chance(faults_.tags_missed)) {
       sensed.tag = spot.tag;

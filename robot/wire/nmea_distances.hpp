@@ -25,6 +25,9 @@ namespace sensotwin::robot {
 /// The most that one sentence is taken apart for: a group has at least eight characters, D,,M,S0 and a comma.
 inline constexpr std::size_t kDistancesPerSentence = 9;
 
+/// S0 to S9.
+inline constexpr std::size_t kSonarNames = 10;
+
 /// One rangefinder's word.
 struct Distance {
   std::uint8_t sonar{0};           ///< the digit of its name

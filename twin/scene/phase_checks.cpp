@@ -4,6 +4,7 @@
 #include <map>
 
 #include "robot/settings/mission_checks.hpp"
+#include "twin/scene/nearest_name.hpp"
 #include "twin/scene/scene_checks.hpp"
 
 /// Ceiling tags, the radio and missions along the tags, as far as one field cannot tell.

@@ -51,6 +51,7 @@ render::PhaseRunView view_of(const Scene& scene, const HallwayTwin& twin, const 
   for (const robot::HallwayNode& node : scene.hallways.map.nodes()) {
     view.tags.push_back({node.name, *node.at_m, false});
   }
+  view.tags_are = "place";
   view.driven = recorder.driven();
   view.start = scene.robot.X_WR_start;
   view.end = twin.world().X_WR();

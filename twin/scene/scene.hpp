@@ -35,7 +35,7 @@ struct RoomPlan {
 /// A ROS map_server map: the path of its YAML, relative to the scene file.
 struct MapPlan {
   std::string file;
-  std::string hallways;  ///< hallway map of the building, relative to the scene file; empty: none
+  std::string hallways{};  ///< hallway map of the building, relative to the scene file; empty: none
 };
 
 /// A building of hallways, drawn from its hallway map: walls on both sides of every hallway.

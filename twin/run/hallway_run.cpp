@@ -10,6 +10,7 @@
 #include "twin/run/hallway_twin.hpp"
 #include "twin/run/tick_loop.hpp"
 #include "twin/run/twin_journal.hpp"
+#include "twin/scene/floor_plan.hpp"
 
 namespace sensotwin::twin {
 namespace {
@@ -47,6 +48,11 @@ render::PhaseRunView view_of(const Scene& scene, const HallwayTwin& twin, const 
   view.seed = scene.seed;
   for (const world::Wall& wall : scene.world.walls) {
     view.walls.push_back({wall.points_m, wall.closed});
+  }
+  for (const world::Furniture& piece : scene.world.furniture) {
+    if (piece.shape == world::FurnitureShape::kBox || piece.shape == world::FurnitureShape::kPolygon) {
+      view.walls.push_back({footprint_m(piece), true});
+    }
   }
   for (const robot::HallwayNode& node : scene.hallways.map.nodes()) {
     view.tags.push_back({node.name, *node.at_m, false});

@@ -13,6 +13,7 @@ FuzzyMission::FuzzyMission(const FuzzyMissionConfig& config)
 
 PhaseCommand FuzzyMission::step(const PhaseSensed& sensed) {
   sensed_ = sensed;
+  count_turn();
   listen();
   if (!started_) {
     started_ = true;
@@ -105,7 +106,20 @@ bool FuzzyMission::at_destination() const {
   return sensed_.floor_tag && *sensed_.floor_tag == config_.destinations[status_.destination];
 }
 
+void FuzzyMission::count_turn() {
+  // Wheels that did not move at all have just been told to, stand, or have no encoders.
+  if (last_stamp_ && (sensed_.counts_left != 0 || sensed_.counts_right != 0)) {
+    const double asked_rad = status_.turn_rate_radps * to_s(sensed_.stamp - *last_stamp_);
+    const double turned_rad =
+        (sensed_.counts_right - sensed_.counts_left) * config_.metres_per_count / config_.wheel_base_m;
+    status_.owed_rad =
+        std::clamp(status_.owed_rad + asked_rad - turned_rad, -config_.most_owed_rad, config_.most_owed_rad);
+  }
+  last_stamp_ = sensed_.stamp;
+}
+
 void FuzzyMission::steer() {
+  const double limit_radps = 2.0 * (config_.top_wheel_mps - config_.speed_mps) / config_.wheel_base_m;
   if (heard_) {
     if (!status_.pair) {
       say(FuzzyEventKind::kDestinationHeard);
@@ -113,7 +127,6 @@ void FuzzyMission::steer() {
     heard_at_ = sensed_.stamp;
     status_.pair = heard_;
     ++status_.decisions;
-    const double limit_radps = 2.0 * (config_.top_wheel_mps - config_.speed_mps) / config_.wheel_base_m;
     status_.turn_rate_radps =
         std::clamp(controller_.turn_rate_radps(heard_->difference_rad), -limit_radps, limit_radps);
     status_.state = FuzzyState::kSteering;
@@ -121,13 +134,16 @@ void FuzzyMission::steer() {
     status_.turn_rate_radps = 0.0;
     status_.state = FuzzyState::kKeepingHeading;
   }
-  const double half_mps = status_.turn_rate_radps * config_.wheel_base_m / 2.0;
+  const double rate_radps = std::clamp(status_.turn_rate_radps + config_.catch_up_per_s * status_.owed_rad,
+                                       -limit_radps, limit_radps);
+  const double half_mps = rate_radps * config_.wheel_base_m / 2.0;
   command_.wheels = {.left_mps = config_.speed_mps - half_mps, .right_mps = config_.speed_mps + half_mps};
 }
 
 void FuzzyMission::stand() {
   command_.wheels = {};
   status_.turn_rate_radps = 0.0;
+  status_.owed_rad = 0.0;
 }
 
 bool FuzzyMission::must_end() {

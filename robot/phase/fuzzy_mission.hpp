@@ -5,6 +5,7 @@
 #include <optional>
 #include <vector>
 
+#include "robot/base/geometry.hpp"
 #include "robot/base/task.hpp"
 #include "robot/phase/fuzzy_controller.hpp"
 #include "robot/phase/fuzzy_log.hpp"
@@ -17,9 +18,16 @@ struct FuzzyMissionConfig {
   std::vector<Epc> destinations;  ///< the paper's ordered list of tag IDs
   FuzzySets sets{kReproductionSets};
   PairingConfig pairing;
-  double speed_mps{0.2};       ///< Gueaieb & Miah, section V
-  double wheel_base_m{0.235};  ///< Create 2 Open Interface 2016, packet 20
-  double top_wheel_mps{0.5};   ///< same, opcode 145
+  double speed_mps{0.2};                         ///< Gueaieb & Miah, section V
+  double wheel_base_m{0.235};                    ///< Create 2 Open Interface 2016, packet 20
+  double top_wheel_mps{0.5};                     ///< same, opcode 145
+  double metres_per_count{kPi * 0.072 / 508.8};  ///< same, packet 43
+  /// Share of the heading still owed (see FuzzyMission) that is made up for in a second. Chosen: frame,
+  /// command and acceleration of the wheels take some 50 ms, and a loop through such a delay does not swing
+  /// below 1 / (e * 0.05 s) = 7.4.
+  double catch_up_per_s{6.0};
+  /// No more than this is ever owed. Chosen: four times what 50 ms of the reproduction's 1.1 rad/s leave.
+  double most_owed_rad{0.2};
   /// A turn rate holds until the next phase difference, but no longer than this. Chosen: what bridges one
   /// lost reading of two antennas in slots of 100 ms.
   Duration longest_turn{std::chrono::milliseconds{250}};
@@ -45,7 +53,8 @@ struct FuzzyStatus {
   FuzzyState state{FuzzyState::kKeepingHeading};
   std::size_t destination{0};     ///< index in the list; its length when all are reached
   std::optional<PhasePair> pair;  ///< newest of this destination
-  double turn_rate_radps{0.0};    ///< being driven, counter-clockwise positive
+  double turn_rate_radps{0.0};    ///< asked by the controller, counter-clockwise positive
+  double owed_rad{0.0};           ///< asked so far and not yet turned by the wheels
   std::uint64_t decisions{0};     ///< times that the controller has been asked
 };
 
@@ -54,9 +63,15 @@ struct FuzzyStatus {
 ///
 /// The controller is asked once for each new phase difference, not once per tick: dtheta = rate * Ts with Ts
 /// the time until the next one, driven as a turn rate meanwhile, so that the heading moves by dtheta
-/// smoothly. Of several that came in one tick the newest decides. What the paper leaves out is said in
-/// FuzzyMissionConfig: silence, a reader that is down, a bump, never arriving. Each of them ends in standing
-/// still with an entry in the log.
+/// smoothly. Of several that came in one tick the newest decides.
+///
+/// Equation 3, theta_new = theta_old + dtheta, speaks of the heading, not of a command: wheels that obey
+/// late, accelerate slowly or know speeds in steps only (28.5 mm/s of the Create 2: protocols study, 1.2)
+/// turn by something else. So the encoders are asked what was turned, and what is owed is made up for. A base
+/// without encoders owes nothing.
+///
+/// What the paper leaves out is said in FuzzyMissionConfig: silence, a reader that is down, a bump, never
+/// arriving. Each of them ends in standing still with an entry in the log.
 ///
 /// Neither copies nor moves: its behaviours hold references into it.
 class FuzzyMission {
@@ -88,6 +103,8 @@ class FuzzyMission {
   Task<End> wait_standing(FuzzyEventKind why);
   void listen();
   [[nodiscard]] bool at_destination() const;
+  /// What the wheels have turned since the last step is taken off what was asked.
+  void count_turn();
   void steer();
   void stand();
   /// Whether this step ends the mission: touched something, or the leg takes too long. Says so.
@@ -103,6 +120,7 @@ class FuzzyMission {
   std::optional<PhasePair> heard_;  ///< newest phase difference that this step's readings completed
   PhaseCommand command_;
   StepSignal next_;
+  std::optional<Instant> last_stamp_;
   Instant leg_begun_;
   Instant heard_at_;  ///< last phase difference of this destination, or when it began to be listened for
   bool started_{false};

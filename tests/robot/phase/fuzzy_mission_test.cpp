@@ -4,6 +4,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <vector>
 
 #include "tests/robot/phase/fuzzy_study.hpp"
@@ -104,6 +105,52 @@ TEST(FuzzyMission, KeepsItsSpeedWhateverItsControllerAsks) {
   const WheelSpeeds wheels = step_by_hand(mission, 15, experiment_epc(0), -1.5).wheels;
   EXPECT_NEAR(wheels.right_mps, 0.5, 1e-12);
   EXPECT_NEAR(wheels.left_mps, -0.1, 1e-12);
+}
+
+/// Asked for 1.1 rad/s, the wheels turn at `turned_radps` for half a second. \returns the rate commanded then
+double rate_after_turning_at(double turned_radps) {
+  FuzzyMissionConfig config;
+  config.destinations = {experiment_epc(0)};
+  FuzzyMission mission{config};
+  (void)step_by_hand(mission, 0, experiment_epc(0), -1.5);
+  PhaseCommand command;
+  double left_counts = 0.0;
+  double right_counts = 0.0;
+  PhaseSensed sensed;
+  for (int at_ms = 15; at_ms <= 495; at_ms += 15) {
+    const std::vector<UhfRead> reads =
+        pair_of(Instant{} + std::chrono::milliseconds{at_ms}, experiment_epc(0), -1.5);
+    const double old_left = std::floor(left_counts);
+    const double old_right = std::floor(right_counts);
+    left_counts += (0.2 - turned_radps * 0.235 / 2.0) * 0.015 / config.metres_per_count;
+    right_counts += (0.2 + turned_radps * 0.235 / 2.0) * 0.015 / config.metres_per_count;
+    sensed.stamp = Instant{} + std::chrono::milliseconds{at_ms};
+    sensed.reads = reads;
+    sensed.counts_left = static_cast<int>(std::floor(left_counts) - old_left);
+    sensed.counts_right = static_cast<int>(std::floor(right_counts) - old_right);
+    command = mission.step(sensed);
+  }
+  return (command.wheels.right_mps - command.wheels.left_mps) / 0.235;
+}
+
+TEST(FuzzyMission, MakesUpForWheelsThatTurnMoreOrLessThanAsked) {
+  // A count of one wheel is 1.9 mrad, of which 6 a second are asked for.
+  EXPECT_NEAR(rate_after_turning_at(1.1), 1.1, 0.03);
+  EXPECT_NEAR(rate_after_turning_at(1.0), 1.1 + 6.0 * 0.1 * 0.495, 0.03);
+  EXPECT_NEAR(rate_after_turning_at(1.2), 1.1 - 6.0 * 0.1 * 0.495, 0.03);
+  // No more than so much is ever owed: wheels that cannot turn the robot are not driven ever harder.
+  EXPECT_NEAR(rate_after_turning_at(0.0), 1.1 + 6.0 * 0.2, 0.03);
+}
+
+TEST(FuzzyMission, OwesNothingOnABaseWithoutEncoders) {
+  FuzzyMissionConfig config;
+  config.destinations = {experiment_epc(0)};
+  FuzzyMission mission{config};
+  for (int at_ms = 15; at_ms <= 600; at_ms += 15) {
+    const WheelSpeeds wheels = step_by_hand(mission, at_ms, experiment_epc(0), -1.5).wheels;
+    EXPECT_NEAR((wheels.right_mps - wheels.left_mps) / 0.235, 1.1, 1e-12) << at_ms;
+  }
+  EXPECT_EQ(mission.status().owed_rad, 0.0);
 }
 
 TEST(FuzzyMission, TurnsOnUntilTheNextPhaseDifferenceButNotForLong) {

@@ -12,6 +12,10 @@
 namespace sensotwin::twin {
 namespace {
 
+/// Measured with three echoes of a tenth on the line (twin validate, 200 seeds, 2026-11-22): 1, 1.5, 2 and 2.6
+/// leave 3.9, 3.6, 3.5 and 3.4 cm in the root mean square, and the robot stops for longer with more.
+constexpr double kImageCaution = 1.5;
+
 std::vector<robot::Epc> codes_of(const Scene& scene) {
   std::vector<robot::Epc> codes;
   for (const std::size_t tag : destinations_of(scene)) {
@@ -61,34 +65,15 @@ robot::PhaseReaderModel reader_model_of(const world::RadioWorld& world) {
   model.noise.floor_rad = radio.noise_law == world::NoiseLaw::kProportional ? 0.0 : radio.noise_floor_rad;
   model.noise.per_m_rad = radio.noise_law == world::NoiseLaw::kRssi ? 0.0 : radio.noise_per_m_rad;
   model.noise.at_50dbm_rad = radio.noise_law == world::NoiseLaw::kRssi ? radio.noise_at_50dbm_rad : 0.0;
-  // An echo of amplitude a turns the phase by a sin(x): a / sqrt(2) in the mean square.
-  const double images_rad = radio.image_amplitude * std::sqrt(radio.images / 2.0);
+  // An echo of amplitude a turns the phase of one way by a sin(x): a / sqrt(2) in the mean square. Out and back
+  // come together: the same echo twice, or two of two places.
+  const double ways = model.monostatic ? 2.0 : std::sqrt(2.0);
+  const double images_rad = ways * radio.image_amplitude * std::sqrt(radio.images / 2.0);
   model.noise.echo_rad = std::hypot(radio.place_sigma_rad, images_rad);
   if (radio.place_length_m > 0.0 && radio.place_sigma_rad > 0.0) {
     model.noise.echo_length_m = radio.place_length_m;
   }
   return model;
-}
-
-robot::CeilingMissionConfig own_of(const Scene& scene, const world::RadioWorld& radio) {
-  const PhaseMission& mission = *scene.mission.phase;
-  robot::CeilingMissionConfig config;
-  config.estimator.reader = reader_model_of(radio);
-  config.estimator.wheels = wheels_of(scene);
-  config.estimator.floor_radius_m = radio.floor_tag_radius_m;
-  config.follower.speed_mps = mission.speed_mps;
-  config.follower.stop_at_corners = mission.slow_corners;
-  config.follower.wheel_base_m = scene.robot.base.wheel_base_m;
-  config.follower.top_wheel_mps = scene.robot.base.speed_max_mps;
-  for (const std::size_t tag : destinations_of(scene)) {
-    config.route.push_back({.epc = radio.tags[tag].epc, .height_m = radio.tags[tag].height_m});
-  }
-  config.path = static_cast<robot::TagPathKind>(mission.path);
-  config.circle_radius_m = mission.circle_radius_m;
-  config.circle_laps = mission.circle_laps;
-  config.faults.on_missing = static_cast<robot::OnTagFault>(mission.on_missing);
-  config.faults.corridor_half_width_m = mission.corridor_half_width_m;
-  return config;
 }
 
 }  // namespace
@@ -123,6 +108,28 @@ world::RadioWorld radio_of(const Scene& scene, const robot::RandomStream& random
   return radio;
 }
 
+robot::CeilingMissionConfig ceiling_config_of(const Scene& scene, const world::RadioWorld& radio) {
+  const PhaseMission& mission = *scene.mission.phase;
+  robot::CeilingMissionConfig config;
+  config.estimator.reader = reader_model_of(radio);
+  config.estimator.wheels = wheels_of(scene);
+  config.estimator.echo_caution = radio.radio.images > 0 ? kImageCaution : 1.0;
+  config.estimator.floor_radius_m = radio.floor_tag_radius_m;
+  config.follower.speed_mps = mission.speed_mps;
+  config.follower.stop_at_corners = mission.slow_corners;
+  config.follower.wheel_base_m = scene.robot.base.wheel_base_m;
+  config.follower.top_wheel_mps = scene.robot.base.speed_max_mps;
+  for (const std::size_t tag : destinations_of(scene)) {
+    config.route.push_back({.epc = radio.tags[tag].epc, .height_m = radio.tags[tag].height_m});
+  }
+  config.path = static_cast<robot::TagPathKind>(mission.path);
+  config.circle_radius_m = mission.circle_radius_m;
+  config.circle_laps = mission.circle_laps;
+  config.faults.on_missing = static_cast<robot::OnTagFault>(mission.on_missing);
+  config.faults.corridor_half_width_m = mission.corridor_half_width_m;
+  return config;
+}
+
 robot::PhaseProgramConfig phase_config_of(const Scene& scene, const world::RadioWorld& radio) {
   robot::PhaseProgramConfig config;
   config.base = base_config_of(scene);
@@ -133,7 +140,7 @@ robot::PhaseProgramConfig phase_config_of(const Scene& scene, const world::Radio
   if (scene.mission.phase->controller == PhaseController::kFuzzy) {
     config.mission = fuzzy_of(scene, radio);
   } else {
-    config.mission = own_of(scene, radio);
+    config.mission = ceiling_config_of(scene, radio);
   }
   return config;
 }

@@ -17,6 +17,10 @@ namespace sensotwin::twin {
 /// \pre scene.world.radio
 [[nodiscard]] world::RadioWorld radio_of(const Scene& scene, const robot::RandomStream& random);
 
+/// What our own controller is told, whichever controller the mission has. \param radio  from radio_of()
+[[nodiscard]] robot::CeilingMissionConfig ceiling_config_of(const Scene& scene,
+                                                            const world::RadioWorld& radio);
+
 /// The program's configuration as the scene's robot and mission sections say it. What a calibration tells of
 /// the reader (sign, delays, noise laws) the robot knows; what is a fault (noise_scale) or of the place
 /// (where tags are, shadows) it does not.

@@ -52,30 +52,6 @@ PhaseReaderModel reader_model_of(const UhfReaderSettings& reader) {
   return model;
 }
 
-CeilingMissionConfig own_of(const RobotSettings& settings) {
-  const PhaseMission& mission = *settings.mission.phase;
-  CeilingMissionConfig config;
-  config.estimator.reader = reader_model_of(settings.uhf_reader);
-  config.estimator.wheels = wheels_of(settings.base);
-  config.estimator.floor_radius_m = settings.floor_tag_radius_m;
-  config.follower.speed_mps = mission.speed_mps;
-  config.follower.stop_at_corners = mission.slow_corners;
-  config.follower.wheel_base_m = settings.base.wheel_base_m;
-  config.follower.top_wheel_mps = settings.base.speed_max_mps;
-  for (const std::size_t tag : destinations_of(settings)) {
-    const KnownTag& known = settings.ceiling_tags[tag];
-    config.route.push_back({.epc = known.epc, .height_m = known.height_m});
-  }
-  config.path = static_cast<TagPathKind>(mission.path);
-  config.circle_radius_m = mission.circle_radius_m;
-  config.circle_laps = mission.circle_laps;
-  config.faults.on_missing = static_cast<OnTagFault>(mission.on_missing);
-  config.faults.order_factor = mission.order_factor;
-  config.faults.on_order = static_cast<OnTagFault>(mission.on_order);
-  config.faults.corridor_half_width_m = mission.corridor_half_width_m;
-  return config;
-}
-
 }  // namespace
 
 RoombaConfig base_config_of(const BaseSettings& base) {
@@ -152,6 +128,31 @@ std::vector<std::size_t> destinations_of(const RobotSettings& settings) {
   return order;
 }
 
+CeilingMissionConfig ceiling_config_of(const RobotSettings& settings) {
+  const PhaseMission& mission = *settings.mission.phase;
+  CeilingMissionConfig config;
+  config.estimator.reader = reader_model_of(settings.uhf_reader);
+  config.estimator.wheels = wheels_of(settings.base);
+  config.estimator.echo_caution = settings.uhf_reader.echo_caution;
+  config.estimator.floor_radius_m = settings.floor_tag_radius_m;
+  config.follower.speed_mps = mission.speed_mps;
+  config.follower.stop_at_corners = mission.slow_corners;
+  config.follower.wheel_base_m = settings.base.wheel_base_m;
+  config.follower.top_wheel_mps = settings.base.speed_max_mps;
+  for (const std::size_t tag : destinations_of(settings)) {
+    const KnownTag& known = settings.ceiling_tags[tag];
+    config.route.push_back({.epc = known.epc, .height_m = known.height_m});
+  }
+  config.path = static_cast<TagPathKind>(mission.path);
+  config.circle_radius_m = mission.circle_radius_m;
+  config.circle_laps = mission.circle_laps;
+  config.faults.on_missing = static_cast<OnTagFault>(mission.on_missing);
+  config.faults.order_factor = mission.order_factor;
+  config.faults.on_order = static_cast<OnTagFault>(mission.on_order);
+  config.faults.corridor_half_width_m = mission.corridor_half_width_m;
+  return config;
+}
+
 PhaseProgramConfig phase_config_of(const RobotSettings& settings) {
   PhaseProgramConfig config;
   config.base = base_config_of(settings.base);
@@ -161,7 +162,7 @@ PhaseProgramConfig phase_config_of(const RobotSettings& settings) {
   if (settings.mission.phase->controller == PhaseController::kFuzzy) {
     config.mission = fuzzy_of(settings);
   } else {
-    config.mission = own_of(settings);
+    config.mission = ceiling_config_of(settings);
   }
   return config;
 }

@@ -29,6 +29,8 @@ namespace sensotwin::robot {
 
 /// Indices into the ceiling tags, in the order in which the mission goes to them. \pre settings.mission.phase
 [[nodiscard]] std::vector<std::size_t> destinations_of(const RobotSettings& settings);
+/// What our own controller is told, whichever controller the mission has. \pre settings.mission.phase
+[[nodiscard]] CeilingMissionConfig ceiling_config_of(const RobotSettings& settings);
 /// \pre settings.mission.phase
 [[nodiscard]] PhaseProgramConfig phase_config_of(const RobotSettings& settings);
 

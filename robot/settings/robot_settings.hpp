@@ -49,6 +49,7 @@ struct UhfReaderSettings {
   double centre_hz{915e6};
   PhaseNoise noise;
   int report_every{1};
+  double echo_caution{1.0};  ///< EstimatorConfig::echo_caution: how far its law of echoes is distrusted
 };
 
 /// A tag under the ceiling that a mission may name.

@@ -74,6 +74,11 @@ struct ShowOptions {
 };
 [[nodiscard]] Command make_show_command(Deed<ShowOptions> deed);
 
+struct BoundOptions {
+  SceneChoice choice{};
+};
+[[nodiscard]] Command make_bound_command(Deed<BoundOptions> deed);
+
 struct RenderOptions {
   SceneChoice choice{};
   std::optional<std::filesystem::path> out{};  ///< none: <scene>.png in the working directory

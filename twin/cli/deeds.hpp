@@ -10,6 +10,7 @@ ExitCode replay_deed(const ReplayOptions& options, Context& context);
 ExitCode run_deed(const RunOptions& options, Context& context);
 ExitCode serve_deed(const ServeOptions& asked, Context& context);
 ExitCode validate_deed(const ValidateOptions& options, Context& context);
+ExitCode bound_deed(const BoundOptions& options, Context& context);
 ExitCode show_deed(const ShowOptions& options, Context& context);
 ExitCode render_deed(const RenderOptions& options, Context& context);
 ExitCode import_deed(const ImportOptions& options, Context& context);

@@ -40,6 +40,7 @@ std::vector<Command> commands() {
       make_serve_command(serve_deed),
       make_replay_command(replay_deed),
       make_validate_command(validate_deed),
+      make_bound_command(bound_deed),
       make_chart_command(chart_deed),
       make_render_command(render_deed),
       make_show_command(show_deed),

@@ -75,6 +75,12 @@ constexpr std::array<Figure<PathResult>, 16> kPathFigures{{
     {"uhf_faults", &PathResult::uhf_faults},
 }};
 
+constexpr std::array<Figure<BoundResult>, 3> kBoundFigures{{
+    {"bound_m", &BoundResult::bound_m},
+    {"bound_first_half_m", &BoundResult::bound_first_half_m},
+    {"bound_second_half_m", &BoundResult::bound_second_half_m},
+}};
+
 constexpr std::array<Figure<LinkHealth>, 9> kLinkFigures{{
     {"roomba_frames", &LinkHealth::roomba_frames},
     {"roomba_frames_corrupt", &LinkHealth::roomba_frames_corrupt},
@@ -151,6 +157,9 @@ Figures figures_of(const Summary& summary) {
   }
   if (summary.path) {
     put_figures(figures, *summary.path, kPathFigures);
+    if (summary.path->bound) {
+      put_figures(figures, *summary.path->bound, kBoundFigures);
+    }
   }
   if (summary.hallway) {
     put_figures(figures, *summary.hallway, kHallwayFigures);
@@ -161,7 +170,7 @@ Figures figures_of(const Summary& summary) {
 std::vector<std::string> figure_names() {
   Summary every_section;
   every_section.map.emplace();
-  every_section.path.emplace();
+  every_section.path.emplace().bound.emplace();
   every_section.hallway.emplace();
   std::vector<std::string> names;
   for (const auto& [name, value] : figures_of(every_section)) {
@@ -221,6 +230,9 @@ std::string to_json(const Summary& summary) {
   if (summary.path) {
     json["path"]["controller"] = summary.path->controller;
     put_figures(json["path"], *summary.path, kPathFigures);
+    if (summary.path->bound) {
+      put_figures(json["path"], *summary.path->bound, kBoundFigures);
+    }
   }
   if (summary.hallway) {
     json["hallway"]["mission"] = summary.hallway->mission;

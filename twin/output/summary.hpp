@@ -31,6 +31,14 @@ struct MapResult {
   int moves_recovered{0};  ///< of these, found by local search
 };
 
+/// What no estimator without bias can go below on the ideal path with the same reads: posterior Cramer-Rao
+/// (twin/run/scene_bound.hpp), beside PathResult's rmse of the same parts.
+struct BoundResult {
+  double bound_m{0.0};
+  double bound_first_half_m{0.0};
+  double bound_second_half_m{0.0};
+};
+
 /// What a mission along ceiling tags came to. Errors are of the truth against the ideal path, counted by the
 /// twin, outside robot/: signed perpendicular distance to the line of the present leg, left of travel
 /// positive; of curves, the distance to the nearest point. Counted are the legs that begin at a tag, not the
@@ -53,6 +61,7 @@ struct PathResult {
   int wall_contacts{0};
   std::int64_t uhf_reads{0};  ///< as the driver gave them
   std::int64_t uhf_faults{0};
+  std::optional<BoundResult> bound;  ///< of our own controller
 };
 
 /// What a mission in hallways came to.

@@ -4,6 +4,7 @@
 #include "twin/run/phase_pictures.hpp"
 #include "twin/run/phase_recorder.hpp"
 #include "twin/run/phase_twin.hpp"
+#include "twin/run/scene_bound.hpp"
 #include "twin/run/tick_loop.hpp"
 #include "twin/run/twin_journal.hpp"
 
@@ -50,6 +51,12 @@ Summary run_phase(const Scene& scene, RunFolder& folder, const SceneRunOptions& 
   summary.sim_s = robot::to_s(twin.now());
   summary.state_hash = twin.hash().text();
   summary.path = recorder.result(twin);
+  if (scene.mission.phase->controller == PhaseController::kOwn) {
+    summary.path->bound = options.bound;
+    if (const auto bound = options.bound ? std::nullopt : bound_of(scene)) {
+      summary.path->bound = figures_of(*bound);
+    }
+  }
   summary.links = links_of(twin.program());
   summary.expect = judge(limits_of(scene), figures_of(summary));
   if (options.pictures && !summary.interrupted) {

@@ -28,6 +28,8 @@ struct SceneRunOptions {
   std::optional<std::filesystem::path> tag_log{};
   /// All bytes of all wires, for `twin replay`.
   std::optional<std::filesystem::path> journal{};
+  /// Missions along ceiling tags by our own controller: their bound, when it is known. Else the run finds it.
+  std::optional<BoundResult> bound{};
   /// Asked a few hundred times a simulated hour, and between pictures; false ends the run in order, with
   /// valid files and no further picture.
   std::function<bool(const RunProgress&)> keep_going;

@@ -5,8 +5,11 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <nlohmann/json.hpp>
+#include <string_view>
+#include <utility>
 
 namespace sensotwin::twin {
 namespace {
@@ -105,6 +108,28 @@ Json spread_of(const Validation& validation) {
   return figures;
 }
 
+/// Figures that have a bound below which no estimator gets, and its name.
+constexpr std::array<std::pair<std::string_view, std::string_view>, 3> kBounded{
+    {{"rmse_m", "bound_m"},
+     {"rmse_first_half_m", "bound_first_half_m"},
+     {"rmse_second_half_m", "bound_second_half_m"}}};
+
+/// A line for each figure judged that has a bound.
+std::string bounds_text(const Validation& validation) {
+  std::string text;
+  for (const auto& [figure, bound] : kBounded) {
+    const bool judged = std::any_of(validation.judged.begin(), validation.judged.end(),
+                                    [&](const JudgedThreshold& j) { return j.asked.figure == figure; });
+    if (judged && !validation.runs.empty()) {
+      const double bound_m = value_in(validation.runs.front(), std::string{bound});
+      if (std::isfinite(bound_m)) {
+        text += fmt::format("{:<7} {}: posterior Cramer-Rao, {:.4g}\n", "bound", figure, bound_m);
+      }
+    }
+  }
+  return text;
+}
+
 std::string failing_text(const Validation& validation, const JudgedThreshold& judged) {
   std::vector<std::uint64_t> seeds;
   for (const SeedValue& failing : judged.failing) {
@@ -193,6 +218,7 @@ std::string to_table(const Validation& validation) {
     }
     text += "\n";
   }
+  text += bounds_text(validation);
   for (const JudgedThreshold& judged : validation.judged) {
     if (!judged.failing.empty()) {
       text += failing_text(validation, judged);

@@ -14,6 +14,7 @@ Summary run_mission(const Scene& scene, RunFolder& folder, const RunRequest& req
   SceneRunOptions options;
   options.scene_as_given = request.scene_as_given;
   options.pictures = request.pictures;
+  options.bound = request.bound;
   if (!request.pictures) {
     options.trace_every = kNoTrace;
   }

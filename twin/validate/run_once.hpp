@@ -23,6 +23,7 @@ struct RunRequest {
   std::filesystem::path folder;  ///< made for the run, or files in it replaced
   std::string scene_as_given{};  ///< as the run's summary.json names it
   bool pictures{false};
+  std::optional<BoundResult> bound{};  ///< of the scene, when it is known: the same for every seed
   /// Asked a few hundred times a simulated hour; false ends the run. Of any thread. Empty: goes on
   std::function<bool()> keep_going{};
 };

@@ -9,6 +9,7 @@
 #include <iterator>
 #include <mutex>
 
+#include "twin/run/scene_bound.hpp"
 #include "twin/study/parallel.hpp"
 
 namespace sensotwin::twin {
@@ -42,12 +43,23 @@ bool run_seeds(const Scene& scene, const SeedRunsOptions& options, SeedTable& ta
   std::exception_ptr failure;
   std::mutex mutex;
   const auto go_on = [&] { return !failed && (!options.keep_going || options.keep_going()); };
+  // The same for every seed: found once.
+  std::optional<BoundResult> bound;
+  if (scene.mission.phase && scene.mission.phase->controller == PhaseController::kOwn && !missing.empty()) {
+    if (const auto found = bound_of(scene)) {
+      bound = figures_of(*found);
+    }
+  }
   const auto run_one = [&](int index) {
     const std::uint64_t seed = missing[static_cast<std::size_t>(index)];
     const std::filesystem::path folder = options.scratch / fmt::format("seed_{}", seed);
     try {
       const auto outcome = run_once(
-          scene, seed, {.folder = folder, .scene_as_given = options.scene_as_given, .keep_going = go_on});
+          scene, seed,
+          {.folder = folder,
+           .scene_as_given = options.scene_as_given,
+           .bound = bound,
+           .keep_going = go_on});
       std::error_code ignored;
       std::filesystem::remove_all(folder, ignored);
       const std::scoped_lock lock{mutex};

@@ -35,6 +35,11 @@ constexpr double kPromotedInflation = 6.0;
 constexpr double kMoved_m = 0.15;  ///< found this far from where it was, and beyond three sigma: moved
 constexpr double kMovedSigmas = 3.0;
 
+EstimatorConfig with_caution(EstimatorConfig config) {
+  config.reader.noise.echo_rad *= config.echo_caution;
+  return config;
+}
+
 Pose2 between(const Pose2& X_OA, const Pose2& X_OB) {
   return X_OA.inverse() * X_OB;
 }
@@ -42,7 +47,7 @@ Pose2 between(const Pose2& X_OA, const Pose2& X_OB) {
 }  // namespace
 
 CeilingEstimator::CeilingEstimator(const EstimatorConfig& config, std::vector<ListedTag> tags)
-    : config_(config),
+    : config_(with_caution(config)),
       listed_(std::move(tags)),
       by_epc_(listed_.size()),
       watched_(listed_.size()),

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cassert>
 #include <cmath>
+#include <utility>
 
 #include "robot/phase/estimation/joint_filter_layout.hpp"
 
@@ -285,30 +286,30 @@ Eigen::Vector3d JointFilter::port_offset_variances() const {
   return variances;
 }
 
-double JointFilter::across_sigma_m(const Vec2& n_M, int from, int to, double part) const {
-  SparseRow H;
-  H.add(0, n_M.x());
-  H.add(1, n_M.y());
-  const auto add = [&](int id, double weight) {
-    if (id >= 0 && knows(id)) {
-      const Eigen::Vector3d by_tag =
-          by_direction(slot(id)).transpose() * Eigen::Vector3d{n_M.x(), n_M.y(), 0.0};
-      for (int i = 0; i < 3; ++i) {
-        H.add(state_of(id) + i, -weight * by_tag(i));
+double JointFilter::sigma_m(const Vec2& by_robot, std::span<const TagPull> pulls) const {
+  std::array<std::pair<int, double>, 2 + 3 * kMostTags> row{{{0, by_robot.x()}, {1, by_robot.y()}}};
+  std::size_t size = 2;
+  for (const TagPull& pull : pulls) {
+    if (knows(pull.id)) {
+      const Eigen::Vector3d by_states =
+          by_direction(slot(pull.id)).transpose() * Eigen::Vector3d{pull.by_tag.x(), pull.by_tag.y(), 0.0};
+      for (int i = 0; i < 3 && size < row.size(); ++i) {
+        row[size++] = {state_of(pull.id) + i, by_states(i)};
       }
     }
-  };
-  add(from, 1.0 - part);
-  add(to, part);
+  }
   double variance = 0.0;
-  for (int a = 0; a < H.size; ++a) {
-    for (int b = 0; b < H.size; ++b) {
-      const auto i = static_cast<std::size_t>(a);
-      const auto j = static_cast<std::size_t>(b);
-      variance += H.by[i] * H.by[j] * P_(H.at[i], H.at[j]);
+  for (std::size_t a = 0; a < size; ++a) {
+    for (std::size_t b = 0; b < size; ++b) {
+      variance += row[a].second * row[b].second * P_(row[a].first, row[b].first);
     }
   }
   return std::sqrt(std::max(variance, 0.0));
+}
+
+double JointFilter::across_sigma_m(const Vec2& n_M, int from, int to, double part) const {
+  const std::array<TagPull, 2> pulls{{{from, -(1.0 - part) * n_M}, {to, -part * n_M}}};
+  return sigma_m(n_M, pulls);
 }
 
 }  // namespace sensotwin::robot

@@ -5,6 +5,7 @@
 #include <array>
 #include <cstdint>
 #include <optional>
+#include <span>
 #include <vector>
 
 #include "robot/drivers/uhf_read.hpp"
@@ -127,6 +128,13 @@ class JointFilter {
   /// Offsets of ports 2.. against port 1, and their variances.
   [[nodiscard]] Eigen::Vector3d port_offsets_rad() const;
   [[nodiscard]] Eigen::Vector3d port_offset_variances() const;
+  /// How something changes with the place of a tag.
+  struct TagPull {
+    int id{0};
+    Vec2 by_tag{0.0, 0.0};
+  };
+  /// Standard deviation of by_robot . robot + sum of by_tag . tag. An unknown tag counts as exactly known.
+  [[nodiscard]] double sigma_m(const Vec2& by_robot, std::span<const TagPull> pulls) const;
   /// Standard deviation of n . (robot - (1 - part) from - part to): of the error beside a line between two
   /// tags. An unknown tag counts as exactly known.
   [[nodiscard]] double across_sigma_m(const Vec2& n_M, int from, int to, double part) const;

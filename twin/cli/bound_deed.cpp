@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: MIT
+#include <fmt/format.h>
+
+#include <nlohmann/json.hpp>
+#include <ostream>
+
+#include "twin/cli/deed_support.hpp"
+#include "twin/cli/deeds.hpp"
+#include "twin/run/scene_bound.hpp"
+
+namespace sensotwin::twin {
+namespace {
+
+std::string table_of(const SceneBound& bound) {
+  const BoundResult figures = figures_of(bound);
+  std::string table = fmt::format("{:>4}  {:<24} {:>10}\n", "leg", "to", "bound m");
+  for (std::size_t leg = 0; leg < bound.bound.leg_rms_m.size(); ++leg) {
+    const std::string rms = leg == 0 ? "not counted" : fmt::format("{:.5f}", bound.bound.leg_rms_m[leg]);
+    table += fmt::format("{:>4}  {:<24} {:>10}\n", leg, bound.legs[leg], rms);
+  }
+  return table + fmt::format("{:<18} {:>10.5f}\n{:<18} {:>10.5f}\n{:<18} {:>10.5f}\n", "bound_m",
+                             figures.bound_m, "bound_first_half_m", figures.bound_first_half_m,
+                             "bound_second_half_m", figures.bound_second_half_m);
+}
+
+std::string json_of(const Scene& scene, const SceneBound& bound) {
+  const BoundResult figures = figures_of(bound);
+  nlohmann::ordered_json json{{"scene", scene.file},
+                              {"variant", scene.variant},
+                              {"bound_m", figures.bound_m},
+                              {"bound_first_half_m", figures.bound_first_half_m},
+                              {"bound_second_half_m", figures.bound_second_half_m}};
+  json["legs"] = nlohmann::ordered_json::array();
+  for (std::size_t leg = 1; leg < bound.bound.leg_rms_m.size(); ++leg) {
+    json["legs"].push_back({{"leg", leg}, {"to", bound.legs[leg]}, {"bound_m", bound.bound.leg_rms_m[leg]}});
+  }
+  return json.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace) + "\n";
+}
+
+}  // namespace
+
+ExitCode bound_deed(const BoundOptions& options, Context& context) {
+  const Scene scene = scene_of(options.choice);
+  const std::optional<SceneBound> bound = bound_of(scene);
+  if (!bound) {
+    throw CommandError(ExitCode::kInvalidData,
+                       fmt::format("{}: no path along ceiling tags: mission.phase with two destinations that "
+                                   "are there, or a circle",
+                                   scene.file));
+  }
+  context.out << (context.json ? json_of(scene, *bound) : table_of(*bound));
+  return ExitCode::kDone;
+}
+
+}  // namespace sensotwin::twin

@@ -14,6 +14,8 @@ constexpr double kSearchRadius_m = 0.3;
 constexpr double kSearching_mps = 0.1;
 /// A tag that did not answer once while the robot turned round so often is missing.
 constexpr int kSilentTurns = 2;
+/// One sigma of a place that is not relied on without reads. Chosen: the robot's radius.
+constexpr double kHardly_m = 0.17;
 /// A tag read this long ago is still in hearing. Chosen: ten rounds of four ports of an R420 (data study, 3.8).
 constexpr double kInHearing_s = 1.0;
 
@@ -132,8 +134,13 @@ void CeilingMission::watch_destination() {
     }
     return;
   }
-  // One whose place is not known is looked for (look()).
-  const bool known = sought.knowledge == TagKnowledge::kTracked || sought.knowledge == TagKnowledge::kKept;
+  // One whose place is not known is looked for (look()), and so is one whose place was hardly known: where it
+  // is made for it would be heard.
+  bool known = sought.knowledge == TagKnowledge::kTracked || sought.knowledge == TagKnowledge::kKept;
+  if (known && sought.covariance_m2.trace() > kHardly_m * kHardly_m) {
+    estimator_.seek_anew(route_[destination()]);
+    known = false;
+  }
   if (known && !silent_said_) {
     silent_said_ = true;
     note(CeilingEventKind::kTagSilent, route_[destination()]);

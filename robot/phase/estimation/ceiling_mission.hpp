@@ -46,6 +46,8 @@ class CeilingMission {
  private:
   // What the path is (ceiling_mission_path.cpp).
   [[nodiscard]] std::optional<Vec2> place_of(int tag) const;
+  /// A tag's place if at least its direction is known.
+  [[nodiscard]] std::optional<Vec2> towards(int tag) const;
   [[nodiscard]] std::optional<Vec2> place(std::ptrdiff_t route_index) const;
   [[nodiscard]] std::optional<PathReference> reference(std::size_t leg) const;
   [[nodiscard]] std::optional<PathReference> smooth_reference(std::size_t leg) const;

@@ -16,6 +16,7 @@ constexpr double kSearching_mps = 0.1;
 constexpr int kSilentTurns = 2;
 /// One sigma of a place that is not relied on without reads. Chosen: the robot's radius.
 constexpr double kHardly_m = 0.17;
+constexpr double kUnconfirmed_s = 2.0;  ///< and is not driven to for longer. Chosen: a turn, and 0.2 m
 /// A tag read this long ago is still in hearing. Chosen: ten rounds of four ports of an R420 (data study, 3.8).
 constexpr double kInHearing_s = 1.0;
 
@@ -128,19 +129,21 @@ void CeilingMission::watch_destination() {
   }
   const TagEstimate sought = estimator_.tag(route_[destination()]);
   const Instant since = last_chance(sought);
-  if (to_s(now_ - since) < config_.faults.missing_after_s) {
+  const double unheard_s = to_s(now_ - since);
+  // One whose place was hardly known would be heard where it is made for.
+  if (sought.knowledge == TagKnowledge::kTracked && unheard_s > kUnconfirmed_s &&
+      sought.covariance_m2.trace() > kHardly_m * kHardly_m) {
+    estimator_.seek_anew(route_[destination()]);
+    return;
+  }
+  if (unheard_s < config_.faults.missing_after_s) {
     if (sought.heard && *sought.heard == since) {
       silent_said_ = false;
     }
     return;
   }
-  // One whose place is not known is looked for (look()), and so is one whose place was hardly known: where it
-  // is made for it would be heard.
-  bool known = sought.knowledge == TagKnowledge::kTracked || sought.knowledge == TagKnowledge::kKept;
-  if (known && sought.covariance_m2.trace() > kHardly_m * kHardly_m) {
-    estimator_.seek_anew(route_[destination()]);
-    known = false;
-  }
+  // One whose place is not known is looked for (look()).
+  const bool known = sought.knowledge == TagKnowledge::kTracked || sought.knowledge == TagKnowledge::kKept;
   if (known && !silent_said_) {
     silent_said_ = true;
     note(CeilingEventKind::kTagSilent, route_[destination()]);

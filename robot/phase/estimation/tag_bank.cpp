@@ -27,7 +27,7 @@ constexpr double kOutside = 0.96;       ///< a mean direction further out says n
 /// Lighter ones by this factor (its logarithm) are dropped. Chosen: a millionth.
 constexpr double kDropLog = 14.0;
 /// A read that fits nothing (an outlier) is taken to be this likely.
-constexpr double kOutlierShare = 0.01;
+constexpr double kOutlierShare = 0.05;
 constexpr double kGate2 = 25.0;  ///< five sigma squared (algorithms study, A.4)
 /// As share of half a period: a phase predicted worse than this cannot be told from its neighbours.
 constexpr double kAmbiguousShare = 0.4;

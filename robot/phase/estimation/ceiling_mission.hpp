@@ -62,6 +62,9 @@ class CeilingMission {
   void watch_reader(const PhaseSensed& sensed);
   void watch_destination();
   void watch_order();
+  [[nodiscard]] double spread_m(int tag) const;  ///< one sigma of its place
+  /// The list is doubted, and the tag after the next must be heard before it can be judged: worth one turn.
+  [[nodiscard]] bool doubts_order() const;
   void watch_corridor();
   void lose_tag(OnTagFault action);
   void skip();
@@ -116,6 +119,7 @@ class CeilingMission {
   TagSearch looking_;
   std::optional<double> loudest_dbm_;  ///< the destination's reads of this step
   bool order_judged_{false};
+  double order_looked_rad_{0.0};  ///< turned on this leg, to hear the tag after the next
   double circled_rad_{0.0};  ///< kCircleAbout
   double last_bearing_rad_{0.0};
 };

@@ -17,6 +17,9 @@ constexpr int kSilentTurns = 2;
 /// One sigma of a place that is not relied on without reads. Chosen: the robot's radius.
 constexpr double kHardly_m = 0.17;
 constexpr double kUnconfirmed_s = 2.0;  ///< and is not driven to for longer. Chosen: a turn, and 0.2 m
+/// An order is judged before the robot is this far on its way. Chosen: twice the width of a door.
+constexpr double kOrderWay_m = 2.0;
+constexpr double kOrderSigmas = 3.0;  ///< chosen: as kMovedSigmas of the estimator
 /// A tag read this long ago is still in hearing. Chosen: ten rounds of four ports of an R420 (data study, 3.8).
 constexpr double kInHearing_s = 1.0;
 
@@ -245,11 +248,19 @@ void CeilingMission::watch_order() {
   const std::optional<Vec2> here = place_of(route_[*from_]);
   const std::optional<Vec2> next = place(i);
   const std::optional<Vec2> after = place(i + 1);
-  if (!here || !next || !after || route_[leg_ + 1] == route_[*from_]) {
+  if (!here || !next || !after || route_[leg_ + 1] == route_[*from_] ||
+      (estimator_.pose().p_m - origin_M_m_).norm() > kOrderWay_m) {
     return;
   }
+  const double next_m = (*next - *here).norm();
+  const double after_m = (*after - *here).norm();
+  const double factor = config_.faults.order_factor;
+  const double doubt_m = kOrderSigmas * (spread_m(route_[leg_]) + factor * spread_m(route_[leg_ + 1]));
+  if (std::abs(next_m - factor * after_m) < doubt_m) {
+    return;  // not known well enough yet
+  }
   order_judged_ = true;
-  if ((*next - *here).norm() < config_.faults.order_factor * (*after - *here).norm()) {
+  if (next_m < factor * after_m) {
     return;
   }
   note(CeilingEventKind::kOrderDoubtful, route_[leg_]);
@@ -261,6 +272,15 @@ void CeilingMission::watch_order() {
     note(CeilingEventKind::kOrderExchanged, route_[leg_]);
     attend();
   }
+}
+
+double CeilingMission::spread_m(int tag) const {
+  return std::sqrt(estimator_.tag(tag).covariance_m2.trace());
+}
+
+bool CeilingMission::doubts_order() const {
+  return config_.faults.order_factor > 0.0 && !order_judged_ && from_ && leg_ + 1 < route_.size() &&
+         route_[leg_ + 1] != route_[*from_] && order_looked_rad_ < 2.0 * kPi;
 }
 
 void CeilingMission::watch_corridor() {

@@ -90,12 +90,12 @@ void PhaseTwin::tick_devices() {
   readings_.clear();
   for (const world::RadioRead& read : heard_) {
     RadioReading reading{.at = robot::Instant{robot::from_s(read.time_s)},
-                               .epc = radio_world_.tags[read.tag].epc,
-                               .antenna = static_cast<std::uint16_t>(read.antenna + 1),
-                               .channel = static_cast<std::uint16_t>(read.channel + 1),
-                               .phase_rad = read.phase_rad,
-                               .rssi_dbm = read.rssi_dbm,
-                               .doppler_hz = read.doppler_hz};
+                         .epc = radio_world_.tags[read.tag].epc,
+                         .antenna = static_cast<std::uint16_t>(read.antenna + 1),
+                         .channel = static_cast<std::uint16_t>(read.channel + 1),
+                         .phase_rad = read.phase_rad,
+                         .rssi_dbm = read.rssi_dbm,
+                         .doppler_hz = read.doppler_hz};
     if (comes_through(reading) && uhf_reader_.report(reading)) {
       readings_.push_back(reading);
     }

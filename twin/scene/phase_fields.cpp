@@ -210,8 +210,8 @@ void uhf_reader_fields(FieldVisitor& v, world::WorldDescription& world) {
     v.section(reader, [&] {
       v.choice({"mount", "of antennas that are not listed: two look up, or two ahead and two behind"},
                world.radio->mounting, kMountWords);
-      v.list({"antennas", "port 1 first; else as mounted"},
-             world.radio->antennas, [&](world::AntennaDescription& antenna) {
+      v.list({"antennas", "port 1 first; else as mounted"}, world.radio->antennas,
+             [&](world::AntennaDescription& antenna) {
                xyz(v, {"at_m", "forward, left, up from the floor below the middle, m"}, antenna.at_m,
                    {-1.0, 1.0});
                xyz(v, {"boresight", "direction in which it hears best"}, antenna.boresight, {-1.0, 1.0});
@@ -277,7 +277,7 @@ void complete_radio(Scene& scene) {
   }
   if (radio.antennas.empty()) {
     radio.antennas = radio.mounting == world::AntennaMounting::kRoof ? world::roof_of_antennas()
-                                                                      : world::pair_of_antennas();
+                                                                     : world::pair_of_antennas();
   }
 }
 

@@ -94,10 +94,10 @@ enum class OnOrderDoubt : std::uint8_t { kGoOn, kExchange, kStop };
 /// Gueaieb & Miah: along a path given by ceiling tags, by phase difference.
 struct PhaseMission {
   PhaseController controller{PhaseController::kFuzzy};
-  std::vector<std::string> destinations;            ///< names of tags in order; none: all, as they are listed
-  std::vector<std::string> exchanged;               ///< two tags whose codes the robot has the wrong way round
-  double speed_mps{0.2};                            ///< Gueaieb & Miah, section V
-  robot::FuzzySets sets{robot::kReproductionSets};  ///< fuzzy
+  std::vector<std::string> destinations;  ///< names of tags in order; none: all, as they are listed
+  std::vector<std::string> exchanged;     ///< two tags whose codes the robot has the wrong way round
+  double speed_mps{0.2};                  ///< Gueaieb & Miah, section V
+  robot::FuzzySets sets{robot::kReproductionSets};       ///< fuzzy
   robot::Pairing pairing{robot::Pairing::kSameInstant};  ///< fuzzy
   PhasePath path{PhasePath::kPolyline};                  ///< own; the fuzzy controller knows polylines only
   bool slow_corners{false};                              ///< own: brakes and turns on the spot

@@ -120,7 +120,7 @@ class CeilingMission {
   std::optional<double> loudest_dbm_;  ///< the destination's reads of this step
   bool order_judged_{false};
   double order_looked_rad_{0.0};  ///< turned on this leg, to hear the tag after the next
-  double circled_rad_{0.0};  ///< kCircleAbout
+  double circled_rad_{0.0};       ///< kCircleAbout
   double last_bearing_rad_{0.0};
 };
 

@@ -20,7 +20,8 @@ constexpr double kUnconfirmed_s = 2.0;  ///< and is not driven to for longer. Ch
 /// An order is judged before the robot is this far on its way. Chosen: twice the width of a door.
 constexpr double kOrderWay_m = 2.0;
 constexpr double kOrderSigmas = 3.0;  ///< chosen: as kMovedSigmas of the estimator
-/// A tag read this long ago is still in hearing. Chosen: ten rounds of four ports of an R420 (data study, 3.8).
+/// A tag read this long ago is still in hearing. Chosen: ten rounds of four ports of an R420 (data
+/// study, 3.8).
 constexpr double kInHearing_s = 1.0;
 
 }  // namespace
@@ -90,10 +91,8 @@ void CeilingMission::hear_estimator() {
 void CeilingMission::watch_reader(const PhaseSensed& sensed) {
   const Instant last = estimator_.heard().value_or(leg_since_);
   // On the way to a first tag whose place is not known, hearing none is no wonder: the robot looks for it.
-  const bool expected =
-      leg_ > 0 || estimator_.tag(route_[destination()]).knowledge >= TagKnowledge::kTracked;
-  const bool silent =
-      !sensed.reader_up || (expected && to_s(now_ - last) > config_.faults.silent_after_s);
+  const bool expected = leg_ > 0 || estimator_.tag(route_[destination()]).knowledge >= TagKnowledge::kTracked;
+  const bool silent = !sensed.reader_up || (expected && to_s(now_ - last) > config_.faults.silent_after_s);
   if (silent && !reader_silent_) {
     silent_since_ = last;
     blind_m_ = 0.0;

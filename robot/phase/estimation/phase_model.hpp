@@ -23,8 +23,8 @@ struct AntennaMount {
 ///
 ///   sigma^2 = floor^2 + (per_m d)^2 + (at_50dbm 10^(-(RSSI + 50) / 20))^2
 ///
-/// and beside it what echoes bend, which reads nearby share: a Gauss-Markov process over the antenna's way, and
-/// over frequency.
+/// and beside it what echoes bend, which reads nearby share: a Gauss-Markov process over the antenna's way,
+/// and over frequency.
 ///
 /// | symbol        | meaning                                                  | unit  |
 /// |---------------|----------------------------------------------------------|-------|

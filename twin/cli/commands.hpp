@@ -32,8 +32,21 @@ struct RunOptions {
   int trace_every{7};  ///< ticks from row to row of trace.csv. Chosen: 0.1 s, a row every 3 cm at 0.3 m/s
   bool pictures{true};
   std::optional<std::filesystem::path> tag_log{};
+  std::optional<std::filesystem::path> journal{};
 };
 [[nodiscard]] Command make_run_command(Deed<RunOptions> deed);
+
+struct ServeOptions {
+  SceneChoice choice{};
+  std::optional<std::filesystem::path> out{};  ///< none: default_serve_folder()
+  std::optional<double> factor{1.0};           ///< none: as fast as the client follows
+  std::optional<std::string> llrp{};           ///< host:port; none: 127.0.0.1:5084, or any free port
+  std::string vpcd{"127.0.0.1:35963"};         ///< where Debian's vpcd listens
+  bool cards{true};
+  bool strict_baud{false};
+  std::optional<double> end_after_sim_s{};
+};
+[[nodiscard]] Command make_serve_command(Deed<ServeOptions> deed);
 
 struct ValidateOptions {
   SceneChoice choice{};
@@ -50,6 +63,11 @@ struct ValidateOptions {
   bool pictures{true};
 };
 [[nodiscard]] Command make_validate_command(Deed<ValidateOptions> deed);
+
+struct ReplayOptions {
+  std::filesystem::path journal;
+};
+[[nodiscard]] Command make_replay_command(Deed<ReplayOptions> deed);
 
 struct ShowOptions {
   SceneChoice choice{};

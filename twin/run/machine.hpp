@@ -3,12 +3,13 @@
 
 #include "robot/base/random.hpp"
 #include "robot/base/time.hpp"
-#include "robot/drivers/roomba.hpp"
+#include "robot/settings/robot_settings.hpp"
 #include "twin/devices/emulated_card_reader.hpp"
 #include "twin/devices/emulated_compass_board.hpp"
 #include "twin/devices/emulated_roomba.hpp"
 #include "twin/output/state_hash.hpp"
 #include "twin/scene/scene.hpp"
+#include "world/radio/radio.hpp"
 #include "world/world.hpp"
 
 namespace sensotwin::twin {
@@ -22,8 +23,8 @@ class Machine {
   Machine(const Machine&) = delete;
   Machine& operator=(const Machine&) = delete;
 
-  /// The world goes on by one tick.
-  void tick_world();
+  /// The world goes on by one tick. \returns how the robot moved in it
+  world::RobotMotion tick_world();
   /// The devices see where it came to.
   void tick_devices();
   /// After whatever else the tick holds: its state enters the hash.
@@ -36,6 +37,7 @@ class Machine {
   [[nodiscard]] const world::RoombaInputs& inputs() const { return inputs_; }
   [[nodiscard]] const StateHash& hash() const { return hash_; }
 
+  [[nodiscard]] EmulatedRoomba& roomba() { return roomba_; }
   [[nodiscard]] robot::ByteLink& serial() { return serial_; }
   [[nodiscard]] robot::CardLink& floor_reader() { return floor_reader_; }
   [[nodiscard]] robot::ByteLink& compass() { return compass_; }
@@ -52,7 +54,8 @@ class Machine {
   StateHash hash_;
 };
 
-/// How the base is spoken to: as its firmware wants it.
-[[nodiscard]] robot::RoombaConfig base_config_of(const Scene& scene);
+/// What the robot knows of itself and of its task; of a radio, see phase_config.hpp. The same keys configure
+/// the machine.
+[[nodiscard]] robot::RobotSettings robot_settings_of(const Scene& scene);
 
 }  // namespace sensotwin::twin

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "robot/record/program_events.hpp"
 #include "twin/run/phase_config.hpp"
 
 namespace sensotwin::twin {
@@ -86,12 +87,12 @@ std::string PhaseRecorder::name_of(const robot::Epc& epc) const {
 }
 
 void PhaseRecorder::record_events(PhaseTwin& twin) {
-  for (const robot::PhaseEvent& event : twin.program().take_events()) {
-    events_.add(event.stamp, event.name,
-                {{"tag", event.tag ? name_of(*event.tag) : std::string{}}, {"value", event.value}});
-    result_.tags_reached += event.name == "tag_reached" ? 1 : 0;
-    result_.tags_skipped += event.name == "tag_skipped" ? 1 : 0;
-  }
+  robot::record_events(
+      twin.program(), events_, [this](const robot::Epc& epc) { return name_of(epc); },
+      [this](const robot::PhaseEvent& event) {
+        result_.tags_reached += event.name == "tag_reached" ? 1 : 0;
+        result_.tags_skipped += event.name == "tag_skipped" ? 1 : 0;
+      });
 }
 
 void PhaseRecorder::record_row(const PhaseTwin& twin) {

@@ -52,6 +52,7 @@ bool CeilingMission::is_last() const {
 }
 
 PhaseCommand CeilingMission::step(const PhaseSensed& sensed) {
+  before_ = started_ ? now_ : sensed.stamp;
   now_ = sensed.stamp;
   if (!started_) {
     started_ = true;
@@ -209,6 +210,8 @@ void CeilingMission::begin_leg(std::size_t leg) {
   loudest_dbm_.reset();
   order_judged_ = false;
   order_looked_rad_ = 0.0;
+  order_doubted_s_ = 0.0;
+  looks_ = 0;
   if (config_.path == TagPathKind::kCircleAbout) {
     const std::optional<PathReference> path = reference(leg);
     last_bearing_rad_ = path ? path->yaw_rad : 0.0;

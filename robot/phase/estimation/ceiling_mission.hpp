@@ -98,6 +98,7 @@ class CeilingMission {
   std::vector<CeilingEvent> events_;
   std::vector<int> attended_;
   Instant now_;
+  Instant before_;  ///< of the last step
   CeilingMode mode_{CeilingMode::kLooking};
   std::size_t leg_{0};
   std::optional<std::size_t> from_;  ///< route index of the last tag reached; none: the start
@@ -119,6 +120,8 @@ class CeilingMission {
   TagSearch looking_;
   std::optional<double> loudest_dbm_;  ///< the destination's reads of this step
   bool order_judged_{false};
+  double order_doubted_s_{0.0};
+  int looks_{0};                  ///< on this leg
   double order_looked_rad_{0.0};  ///< turned on this leg, to hear the tag after the next
   double circled_rad_{0.0};       ///< kCircleAbout
   double last_bearing_rad_{0.0};

@@ -80,6 +80,8 @@ void uhf_reader_fields(FieldVisitor& v, UhfReaderSettings& reader) {
     v.number({"echo_rad", "of echoes, rad"}, reader.noise.echo_rad, {0.0, 10.0});
     v.number({"echo_length_m", "over which they become others, m"}, reader.noise.echo_length_m,
              {0.001, 1000.0});
+    v.number({"echo_delay_s", "spread of their delays: how another channel hears others, s"},
+             reader.noise.echo_delay_s, {0.0, 1e-3});
   });
 }
 

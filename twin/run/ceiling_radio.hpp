@@ -32,6 +32,8 @@ class CeilingRadio {
   [[nodiscard]] const world::RadioWorld& world() const { return radio_world_; }
   /// What the reader reported in the last tick, as the radio made it.
   [[nodiscard]] std::span<const RadioReading> readings() const { return readings_; }
+  /// The same reads, and others that found no ROSpec, with what is true of them.
+  [[nodiscard]] std::span<const world::RadioRead> heard() const { return heard_; }
   [[nodiscard]] EmulatedUhfReader& reader() { return reader_; }
   [[nodiscard]] const EmulatedUhfReader& reader() const { return reader_; }
 

@@ -50,6 +50,7 @@ robot::UhfReaderSettings reader_of(const world::RadioWorld& world) {
   model.noise.echo_rad = std::hypot(radio.place_sigma_rad, images_rad);
   if (radio.place_length_m > 0.0 && radio.place_sigma_rad > 0.0) {
     model.noise.echo_length_m = radio.place_length_m;
+    model.noise.echo_delay_s = radio.place_delay_s;
   }
   model.report_every = radio.report_every;
   model.echo_caution = radio.images > 0 ? kImageCaution : 1.0;

@@ -89,6 +89,10 @@ class PhasePainter {
     if (!may_go_on_()) {
       return false;
     }
+    save("noise.png", drawn(render::draw_noise(recorder_.noise().view(scene_)), "noise.png").image);
+    if (!may_go_on_()) {
+      return false;
+    }
     if (const robot::FuzzyMission* fuzzy = twin_.program().fuzzy()) {
       save("controller.png",
            drawn(render::draw_controller(controller_view(scene_, fuzzy->controller())), "controller.png")

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "twin/run/phase_recorder.hpp"
 
-#include <algorithm>
 #include <Eigen/Geometry>
+#include <algorithm>
 #include <cmath>
 
 #include "robot/record/program_events.hpp"
@@ -34,6 +34,7 @@ PhaseRecorder::PhaseRecorder(const Scene& scene, RunFolder& folder, int trace_ev
       trace_(folder.stream("trace.csv"), trace_every),
       events_(folder.stream("events.jsonl")),
       tag_log_(tag_log_at(tag_log)),
+      noise_(scene.world.radio->radio),
       keep_points_(keep_points) {
   result_.controller = scene.mission.phase->controller == PhaseController::kFuzzy ? "fuzzy" : "own";
 }
@@ -49,6 +50,7 @@ void PhaseRecorder::record(PhaseTwin& twin) {
     }
   }
   if (keep_points_) {
+    noise_.add(twin.heard());
     record_points(twin);
     record_estimates(twin);
   }
@@ -141,10 +143,8 @@ void PhaseRecorder::record_estimates(const PhaseTwin& twin) {
     if (again || estimate.knowledge < robot::TagKnowledge::kTracked) {
       continue;
     }
-    estimates_.push_back(
-        {scene_.world.radio->tags[destinations_[i]].name, X_WM * estimate.p_M_m,
-         turn * estimate.covariance_m2 * turn.transpose(),
-         robot::to_s(twin.now())});
+    estimates_.push_back({scene_.world.radio->tags[destinations_[i]].name, X_WM * estimate.p_M_m,
+                          turn * estimate.covariance_m2 * turn.transpose(), robot::to_s(twin.now())});
   }
 }
 

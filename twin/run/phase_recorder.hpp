@@ -14,6 +14,7 @@
 #include "twin/output/tag_log.hpp"
 #include "twin/output/trace_writer.hpp"
 #include "twin/run/ideal_path.hpp"
+#include "twin/run/phase_noise.hpp"
 #include "twin/run/phase_twin.hpp"
 
 namespace sensotwin::twin {
@@ -38,6 +39,7 @@ class PhaseRecorder {
   [[nodiscard]] const std::vector<render::ErrorPoint>& errors() const { return errors_; }
   [[nodiscard]] const std::vector<render::SegmentView>& segments() const { return segments_; }
   [[nodiscard]] const std::vector<render::TagEstimateView>& estimates() const { return estimates_; }
+  [[nodiscard]] const PhaseNoise& noise() const { return noise_; }
 
  private:
   void record_error(const PhaseTwin& twin);
@@ -53,6 +55,7 @@ class PhaseRecorder {
   TraceWriter trace_;
   EventLog events_;
   std::optional<TagLogWriter> tag_log_;
+  PhaseNoise noise_;
   bool keep_points_;
   int until_point_{0};
   int until_estimate_{0};

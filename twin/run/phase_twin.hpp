@@ -47,6 +47,8 @@ class PhaseTwin {
   [[nodiscard]] const StateHash& hash() const { return machine_.hash(); }
   /// What the reader reported in the last tick, as the radio made it.
   [[nodiscard]] std::span<const RadioReading> readings() const { return ceiling_.readings(); }
+  /// The same reads, and others that found no ROSpec, with what is true of them.
+  [[nodiscard]] std::span<const world::RadioRead> heard() const { return ceiling_.heard(); }
   /// The radio of this run, its hop table included.
   [[nodiscard]] const world::RadioWorld& radio() const { return ceiling_.world(); }
   [[nodiscard]] const EmulatedUhfReader& uhf_reader() const { return ceiling_.reader(); }

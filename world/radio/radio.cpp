@@ -45,7 +45,6 @@ struct Radio::State {
                std::uint16_t channel);
   [[nodiscard]] std::optional<RadioRead> read(double time_s, std::uint32_t tag, std::uint16_t antenna,
                                               std::uint16_t channel);
-  [[nodiscard]] double noise_rad(const Air::Heard& heard) const;
   [[nodiscard]] double drifted_rad(Link& link, double time_s) const;
   void move_to(double time_s, const RobotMotion& motion);
 
@@ -79,16 +78,16 @@ Radio::State::State(const RadioWorld& world, const robot::RandomStream& random)
   }
 }
 
-double Radio::State::noise_rad(const Air::Heard& heard) const {
+double read_noise_rad(const RadioDescription& radio, double distance_m, double rssi_dbm) {
   switch (radio.noise_law) {
     case NoiseLaw::kProportional:
-      return radio.noise_scale * radio.noise_per_m_rad * heard.distance_m;
+      return radio.noise_scale * radio.noise_per_m_rad * distance_m;
     case NoiseLaw::kOffset:
-      return radio.noise_scale * (radio.noise_floor_rad + radio.noise_per_m_rad * heard.distance_m);
+      return radio.noise_scale * (radio.noise_floor_rad + radio.noise_per_m_rad * distance_m);
     case NoiseLaw::kRssi:
       break;
   }
-  return radio.noise_scale * by_rssi(radio.noise_floor_rad, radio.noise_at_50dbm_rad, heard.rssi_dbm);
+  return radio.noise_scale * by_rssi(radio.noise_floor_rad, radio.noise_at_50dbm_rad, rssi_dbm);
 }
 
 double Radio::State::drifted_rad(Link& link, double time_s) const {
@@ -121,22 +120,25 @@ std::optional<RadioRead> Radio::State::read(double time_s, std::uint32_t tag, st
   }
   const double delay_s = heard->path_m / kLight_mps + cable_delay_s[antenna];
   const double cycles = radio.channels_hz[channel] * delay_s;
-  double phase_rad = radio.phase_sign * (kTurn_rad * (cycles - std::floor(cycles)) + heard->echo_rad) +
-                     theta_rad[tag] + drifted_rad(link, time_s) + link.random.normal(0.0, noise_rad(*heard));
+  double error_rad = radio.phase_sign * heard->echo_rad + drifted_rad(link, time_s) +
+                     link.random.normal(0.0, read_noise_rad(radio, heard->distance_m, heard->rssi_dbm));
   if (radio.pi_flips) {
     const double pair = 0.5 / (1.0 + std::exp((heard->rssi_dbm - radio.flip_rssi_dbm) / radio.flip_width_db));
-    phase_rad += link.random.chance(0.5 * (1.0 - std::sqrt(1.0 - 2.0 * pair))) ? robot::kPi : 0.0;
+    error_rad += link.random.chance(0.5 * (1.0 - std::sqrt(1.0 - 2.0 * pair))) ? robot::kPi : 0.0;
   }
   if (radio.pi_ambiguous) {
-    phase_rad += link.random.chance(0.5) ? robot::kPi : 0.0;
+    error_rad += link.random.chance(0.5) ? robot::kPi : 0.0;
   }
-  phase_rad = in_one_turn(phase_rad);
+  double phase_rad =
+      in_one_turn(radio.phase_sign * kTurn_rad * (cycles - std::floor(cycles)) + theta_rad[tag] + error_rad);
   if (radio.phase_steps > 0) {
     const double step_rad = kTurn_rad / radio.phase_steps;
     phase_rad = in_one_turn(step_rad * std::round(phase_rad / step_rad));
   }
   RadioRead read{
       .time_s = time_s, .tag = tag, .antenna = antenna, .channel = channel, .phase_rad = phase_rad};
+  read.distance_m = heard->distance_m;
+  read.error_rad = robot::wrap_angle(error_rad);
   read.rssi_dbm =
       radio.rssi_step_db > 0.0 ? radio.rssi_step_db * std::round(rssi_dbm / radio.rssi_step_db) : rssi_dbm;
   read.doppler_hz = radio.doppler_bias_hz;

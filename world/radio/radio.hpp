@@ -21,6 +21,9 @@ struct RobotMotion {
   robot::Pose2 X_WR_end{};
 };
 
+/// Standard deviation of one read's noise by the law of `radio`, its scale included.
+[[nodiscard]] double read_noise_rad(const RadioDescription& radio, double distance_m, double rssi_dbm);
+
 /// Ceiling tags as a reader on the robot reads them.
 ///
 ///   phi = s (2 pi f (L / c + T) + echo) + theta + drift + noise + pi (flip + coin)    modulo 2 pi, in steps

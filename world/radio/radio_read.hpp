@@ -14,6 +14,8 @@ struct RadioRead {
   double phase_rad{0.0};     ///< as reported, in [0, 2 pi): sign, flips and steps are the reader's
   double rssi_dbm{0.0};
   double doppler_hz{0.0};
+  double distance_m{0.0};  ///< truth: from the antenna to the tag
+  double error_rad{0.0};   ///< truth: what is not the way of the wave: noise, drift, echoes, flips
 };
 
 }  // namespace sensotwin::world

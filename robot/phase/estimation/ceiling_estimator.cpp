@@ -17,9 +17,10 @@ constexpr int kRejectedInARow = 10;  ///< drop at once. Chosen: half a second of
 constexpr int kOffsetsInARow = 40;
 /// Noise is learned over about this many reads. Chosen: a second of three tags.
 constexpr double kNoiseMemory = 0.01;
-/// Squared differences of innovations count up to this many variances, so that one flip is not taken for
-/// noise.
-constexpr double kNoiseClip = 25.0;
+/// Squared differences of innovations count up to this many variances: a few reads half a turn off among a
+/// hundred are not taken for noise, and noise three times what it should be is still learned.
+constexpr double kNoiseClip = 9.0;
+constexpr double kMisfitClip = 25.0;  ///< the same of squared innovations: five sigma
 /// The wiring is judged when the reads are this much likelier one way (natural logarithm). Chosen: five reads
 /// that fit nothing at all do not decide.
 constexpr double kWiringEvidence = 25.0;
@@ -61,7 +62,7 @@ CeilingEstimator::CeilingEstimator(const EstimatorConfig& config, std::vector<Li
     banks_.emplace_back(config_.reader, config_.wheels);
   }
   events_.reserve(kMostEvents);
-  wiring_known_ = !config.check_wiring || config_.reader.antennas.size() != 2;
+  wiring_known_ = !config.check_wiring || config_.reader.antennas.size() < 2;
 }
 
 std::optional<int> CeilingEstimator::index_of(const Epc& epc) const {
@@ -94,6 +95,7 @@ void CeilingEstimator::step(const PhaseSensed& sensed) {
   const WheelStep counted = wheel_step(config_.wheels, sensed.counts_left, sensed.counts_right);
   const WheelStep way = filter_.corrected(counted);
   reckoning_.drive(now_, way);
+  way_m_ += std::abs(way.forward_m) + filter_.antenna_arm_m() * std::abs(way.turn_rad);
   filter_.drive(counted);
   if (sensed.bump_left || sensed.bump_right) {
     filter_.touch();
@@ -198,12 +200,12 @@ void CeilingEstimator::track(int id, const UhfRead& read, const Pose2& X_now_the
     return;
   }
   tag.offsets_in_a_row = 0;
-  learn_noise(tag, port, outcome);
+  learn_noise(tag, read, outcome);
   if (!tag.certain) {
     become_certain(id);
   }
   const double fit = outcome.innovation_rad * outcome.innovation_rad / outcome.variance;
-  tag.misfit += kMisfitMemory * (std::min(fit, kNoiseClip) - tag.misfit);
+  tag.misfit += kMisfitMemory * (std::min(fit, kMisfitClip) - tag.misfit);
   tag.rejected_in_a_row = outcome.fate == JointFilter::Fate::kRejected ? tag.rejected_in_a_row + 1 : 0;
   const bool gone = (filter_.tag_M_m(id).head<2>() - pose().p_m).norm() > kFarthest_m;
   if (tag.misfit > config_.misfit_limit || tag.rejected_in_a_row > kRejectedInARow ||
@@ -227,15 +229,23 @@ void CeilingEstimator::become_certain(int id) {
   }
 }
 
-void CeilingEstimator::learn_noise(Watched& tag, std::size_t port, const JointFilter::Outcome& outcome) {
-  // Successive innovations share whatever is wrong with the state; their difference is the reads' own noise.
+void CeilingEstimator::learn_noise(Watched& tag, const UhfRead& read, const JointFilter::Outcome& outcome) {
+  const std::size_t port = read.antenna - 1u;
+  // Successive innovations share whatever is wrong with the state; their difference is the reads' own noise,
+  // and the echoes' change between the two.
   if (tag.has_innovation[port]) {
     const double difference = config_.reader.wrap(outcome.innovation_rad - tag.last_innovation[port]);
-    const double ratio = std::min(difference * difference / (2.0 * outcome.noise), kNoiseClip);
+    const PhaseNoise& noise = config_.reader.noise;
+    const double kept = noise.echo_kept({.way_m = way_m_ - tag.way_at_innovation_m[port],
+                                         .hop_hz = read.frequency_hz - tag.hz_at_innovation[port]});
+    const double expected = 2.0 * (outcome.noise + noise.echo_rad * noise.echo_rad * (1.0 - kept));
+    const double ratio = std::min(difference * difference / expected, kNoiseClip);
     noise_scale2_ += kNoiseMemory * noise_scale2_ * (ratio - 1.0);
     noise_scale2_ = std::clamp(noise_scale2_, 1.0, config_.most_noise_scale * config_.most_noise_scale);
   }
   tag.last_innovation[port] = outcome.innovation_rad;
+  tag.way_at_innovation_m[port] = way_m_;
+  tag.hz_at_innovation[port] = read.frequency_hz;
   tag.has_innovation[port] = true;
 }
 

@@ -119,6 +119,8 @@ class CeilingEstimator {
     int offsets_in_a_row{0};
     std::optional<Instant> heard;
     std::array<double, PhaseReaderModel::kMostAntennas> last_innovation{};
+    std::array<double, PhaseReaderModel::kMostAntennas> way_at_innovation_m{};
+    std::array<double, PhaseReaderModel::kMostAntennas> hz_at_innovation{};
     std::array<bool, PhaseReaderModel::kMostAntennas> has_innovation{};
     bool certain{false};  ///< its place was once known well
     bool was_known{false};
@@ -131,7 +133,7 @@ class CeilingEstimator {
   void seek(int id, const UhfRead& read, const Pose2& X_OR_then);
   void track(int id, const UhfRead& read, const Pose2& X_now_then);
   void become_certain(int id);
-  void learn_noise(Watched& tag, std::size_t port, const JointFilter::Outcome& outcome);
+  void learn_noise(Watched& tag, const UhfRead& read, const JointFilter::Outcome& outcome);
   void promote(int id);
   void drop(int id);
   void release_bank(int id);
@@ -152,6 +154,7 @@ class CeilingEstimator {
   Instant now_;
   std::optional<Instant> heard_;
   double noise_scale2_{1.0};
+  double way_m_{0.0};  ///< of an antenna, since the start
   bool wiring_known_{false};
   bool swapped_{false};
   double settled_evidence_{0.0};  ///< for exchanged cables, of banks that were let go

@@ -15,6 +15,7 @@ constexpr double kAtRest_m = 0.003;
 constexpr double kNoLeg_m = 0.3;
 constexpr double kTurned_rad = 0.015;  ///< a turn on the spot ends this near. Chosen: 1.5 cm per metre
 constexpr double kBacking_mps = 0.1;
+constexpr double kLooking_radps = 0.6;
 constexpr double kListening_radps = 0.3;  ///< chosen: twice round in the time until it gives up
 /// On the way to the first tag the line to it is drawn anew until this near, as its place becomes known.
 constexpr double kRedrawn_m = 0.6;
@@ -51,6 +52,7 @@ bool CeilingMission::is_last() const {
 }
 
 PhaseCommand CeilingMission::step(const PhaseSensed& sensed) {
+  before_ = started_ ? now_ : sensed.stamp;
   now_ = sensed.stamp;
   if (!started_) {
     started_ = true;
@@ -115,6 +117,10 @@ WheelSpeeds CeilingMission::drive() {
   const std::optional<PathReference> path = reference(leg_);
   if (path && !guesses(sought)) {
     looking_.end();
+    if (doubts_order()) {
+      order_looked_rad_ += std::abs(step_rad_);
+      return wheels_for(config_.follower, 0.0, kLooking_radps);
+    }
     mode_ = CeilingMode::kDriving;
     return drive_to(*path);
   }
@@ -201,7 +207,11 @@ void CeilingMission::begin_leg(std::size_t leg) {
   bumps_ = 0;
   silent_said_ = false;
   looking_.end();
+  loudest_dbm_.reset();
   order_judged_ = false;
+  order_looked_rad_ = 0.0;
+  order_doubted_s_ = 0.0;
+  looks_ = 0;
   if (config_.path == TagPathKind::kCircleAbout) {
     const std::optional<PathReference> path = reference(leg);
     last_bearing_rad_ = path ? path->yaw_rad : 0.0;

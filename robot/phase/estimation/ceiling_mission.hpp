@@ -46,6 +46,8 @@ class CeilingMission {
  private:
   // What the path is (ceiling_mission_path.cpp).
   [[nodiscard]] std::optional<Vec2> place_of(int tag) const;
+  /// A tag's place if at least its direction is known.
+  [[nodiscard]] std::optional<Vec2> towards(int tag) const;
   [[nodiscard]] std::optional<Vec2> place(std::ptrdiff_t route_index) const;
   [[nodiscard]] std::optional<PathReference> reference(std::size_t leg) const;
   [[nodiscard]] std::optional<PathReference> smooth_reference(std::size_t leg) const;
@@ -60,6 +62,9 @@ class CeilingMission {
   void watch_reader(const PhaseSensed& sensed);
   void watch_destination();
   void watch_order();
+  [[nodiscard]] double spread_m(int tag) const;  ///< one sigma of its place
+  /// The list is doubted, and the tag after the next must be heard before it can be judged: worth one turn.
+  [[nodiscard]] bool doubts_order() const;
   void watch_corridor();
   void lose_tag(OnTagFault action);
   void skip();
@@ -93,6 +98,7 @@ class CeilingMission {
   std::vector<CeilingEvent> events_;
   std::vector<int> attended_;
   Instant now_;
+  Instant before_;  ///< of the last step
   CeilingMode mode_{CeilingMode::kLooking};
   std::size_t leg_{0};
   std::optional<std::size_t> from_;  ///< route index of the last tag reached; none: the start
@@ -114,7 +120,10 @@ class CeilingMission {
   TagSearch looking_;
   std::optional<double> loudest_dbm_;  ///< the destination's reads of this step
   bool order_judged_{false};
-  double circled_rad_{0.0};  ///< kCircleAbout
+  double order_doubted_s_{0.0};
+  int looks_{0};                  ///< on this leg
+  double order_looked_rad_{0.0};  ///< turned on this leg, to hear the tag after the next
+  double circled_rad_{0.0};       ///< kCircleAbout
   double last_bearing_rad_{0.0};
 };
 

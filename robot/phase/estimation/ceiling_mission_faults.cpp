@@ -14,7 +14,18 @@ constexpr double kSearchRadius_m = 0.3;
 constexpr double kSearching_mps = 0.1;
 /// A tag that did not answer once while the robot turned round so often is missing.
 constexpr int kSilentTurns = 2;
-/// A tag read this long ago is still in hearing. Chosen: ten rounds of four ports of an R420 (data study, 3.8).
+/// One sigma of a place that is not relied on without reads. Chosen: the robot's radius.
+constexpr double kHardly_m = 0.17;
+constexpr double kUnconfirmed_s = 2.0;  ///< and is not driven to for longer. Chosen: a turn, and 0.2 m
+/// An order is judged before the robot is this far on its way. Chosen: twice the width of a door.
+constexpr double kOrderWay_m = 2.0;
+/// A doubt must last: a wrong guess of a place does not. Chosen: ten hops of an R420 (data study, 3.8).
+constexpr double kOrderDoubted_s = 2.0;
+constexpr double kOrderSigmas = 3.0;  ///< chosen: as kMovedSigmas of the estimator
+/// On one leg. Chosen: most legs need none; a tag that shows itself and hides that often is not found.
+constexpr int kMostLooks = 10;
+/// A tag read this long ago is still in hearing. Chosen: ten rounds of four ports of an R420 (data
+/// study, 3.8).
 constexpr double kInHearing_s = 1.0;
 
 }  // namespace
@@ -84,10 +95,8 @@ void CeilingMission::hear_estimator() {
 void CeilingMission::watch_reader(const PhaseSensed& sensed) {
   const Instant last = estimator_.heard().value_or(leg_since_);
   // On the way to a first tag whose place is not known, hearing none is no wonder: the robot looks for it.
-  const bool expected =
-      leg_ > 0 || estimator_.tag(route_[destination()]).knowledge >= TagKnowledge::kTracked;
-  const bool silent =
-      !sensed.reader_up || (expected && to_s(now_ - last) > config_.faults.silent_after_s);
+  const bool expected = leg_ > 0 || estimator_.tag(route_[destination()]).knowledge >= TagKnowledge::kTracked;
+  const bool silent = !sensed.reader_up || (expected && to_s(now_ - last) > config_.faults.silent_after_s);
   if (silent && !reader_silent_) {
     silent_since_ = last;
     blind_m_ = 0.0;
@@ -126,7 +135,14 @@ void CeilingMission::watch_destination() {
   }
   const TagEstimate sought = estimator_.tag(route_[destination()]);
   const Instant since = last_chance(sought);
-  if (to_s(now_ - since) < config_.faults.missing_after_s) {
+  const double unheard_s = to_s(now_ - since);
+  // One whose place was hardly known would be heard where it is made for.
+  if (sought.knowledge == TagKnowledge::kTracked && unheard_s > kUnconfirmed_s &&
+      sought.covariance_m2.trace() > kHardly_m * kHardly_m) {
+    estimator_.seek_anew(route_[destination()]);
+    return;
+  }
+  if (unheard_s < config_.faults.missing_after_s) {
     if (sought.heard && *sought.heard == since) {
       silent_said_ = false;
     }
@@ -212,11 +228,13 @@ WheelSpeeds CeilingMission::look(const TagEstimate& sought) {
       return {};  // the reader has hardly begun
     }
     looking_.begin();
+    ++looks_;
   }
   mode_ = CeilingMode::kLooking;
   const std::optional<TagSearch::Move> move = looking_.step({step_m_, step_rad_}, loudest_dbm_);
   // Where other tags are heard and this one is in no heading, a way will hardly help.
-  const bool hopeless = looking_.silent_turns() >= kSilentTurns && estimator_.heard();
+  const bool hopeless =
+      (looking_.silent_turns() >= kSilentTurns && estimator_.heard()) || looks_ > kMostLooks;
   if (move && !hopeless) {
     return wheels_for(config_.follower, move->speed_mps, move->turn_radps);
   }
@@ -235,13 +253,24 @@ void CeilingMission::watch_order() {
   const std::optional<Vec2> here = place_of(route_[*from_]);
   const std::optional<Vec2> next = place(i);
   const std::optional<Vec2> after = place(i + 1);
-  if (!here || !next || !after || route_[leg_ + 1] == route_[*from_]) {
+  if (!here || !next || !after || route_[leg_ + 1] == route_[*from_] ||
+      (estimator_.pose().p_m - origin_M_m_).norm() > kOrderWay_m) {
     return;
+  }
+  const double next_m = (*next - *here).norm();
+  const double after_m = (*after - *here).norm();
+  const double factor = config_.faults.order_factor;
+  const double doubt_m = kOrderSigmas * (spread_m(route_[leg_]) + factor * spread_m(route_[leg_ + 1]));
+  if (next_m < factor * after_m + doubt_m) {
+    order_doubted_s_ = 0.0;
+    order_judged_ = next_m < factor * after_m - doubt_m;  // else not known well enough yet
+    return;
+  }
+  order_doubted_s_ += to_s(now_ - before_);
+  if (order_doubted_s_ < kOrderDoubted_s) {
+    return;  // the first guess of a place may be wrong
   }
   order_judged_ = true;
-  if ((*next - *here).norm() < config_.faults.order_factor * (*after - *here).norm()) {
-    return;
-  }
   note(CeilingEventKind::kOrderDoubtful, route_[leg_]);
   if (config_.faults.on_order == OnTagFault::kStop) {
     finish(false);
@@ -251,6 +280,15 @@ void CeilingMission::watch_order() {
     note(CeilingEventKind::kOrderExchanged, route_[leg_]);
     attend();
   }
+}
+
+double CeilingMission::spread_m(int tag) const {
+  return std::sqrt(estimator_.tag(tag).covariance_m2.trace());
+}
+
+bool CeilingMission::doubts_order() const {
+  return config_.faults.order_factor > 0.0 && !order_judged_ && from_ && leg_ + 1 < route_.size() &&
+         route_[leg_ + 1] != route_[*from_] && order_looked_rad_ < 2.0 * kPi;
 }
 
 void CeilingMission::watch_corridor() {

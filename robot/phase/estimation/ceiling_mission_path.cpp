@@ -10,6 +10,10 @@ namespace {
 
 /// A tag is steered to when its place is known this well against its distance, or a metre.
 constexpr double kSteerable = 0.5;
+/// Or, at first, when its direction is: one sigma. Chosen: 2 cm astray after a length of the robot.
+constexpr double kDirection_rad = 0.06;
+/// Which says something of a tag this far off only.
+constexpr double kFar_m = 2.0;
 /// Two tags nearer than this make no leg.
 constexpr double kShortest_m = 0.02;
 constexpr std::size_t kMostCirclePoints = 16;
@@ -24,6 +28,18 @@ std::optional<Vec2> CeilingMission::place_of(int tag) const {
     return estimate.p_M_m;
   }
   return std::nullopt;
+}
+
+std::optional<Vec2> CeilingMission::towards(int tag) const {
+  const TagEstimate estimate = estimator_.tag(tag);
+  const Vec2 way = estimate.p_M_m - estimator_.pose().p_m;
+  const double away_m = way.norm();
+  if (estimate.knowledge == TagKnowledge::kUnheard || away_m < kFar_m) {
+    return std::nullopt;
+  }
+  const Vec2 across{-way.y() / away_m, way.x() / away_m};
+  const double beside_m = std::sqrt(across.dot(estimate.covariance_m2 * across));
+  return beside_m < kDirection_rad * away_m ? std::optional{estimate.p_M_m} : std::nullopt;
 }
 
 std::optional<Vec2> CeilingMission::place(std::ptrdiff_t route_index) const {
@@ -47,7 +63,10 @@ std::optional<PathReference> CeilingMission::reference(std::size_t leg) const {
   if (config_.path == TagPathKind::kCircleAbout || (config_.path == TagPathKind::kCircleThrough && leg > 0)) {
     return circle_reference(leg);
   }
-  const std::optional<Vec2> to = place(static_cast<std::ptrdiff_t>(leg));
+  const std::optional<Vec2> known = place(static_cast<std::ptrdiff_t>(leg));
+  // A straight leg needs no more than the direction to begin with.
+  const std::optional<Vec2> to =
+      known || config_.path != TagPathKind::kPolyline ? known : towards(route_[leg]);
   if (!to) {
     return std::nullopt;
   }

@@ -223,7 +223,7 @@ PhasePrediction JointFilter::predict(int id, const UhfRead& read, const Pose2& X
 
 JointFilter::Outcome JointFilter::read(int id, const UhfRead& read, const Pose2& X_now_then,
                                        double noise_scale2, double gate_sigmas) {
-  age_echoes();
+  age_echoes(read.frequency_hz);
   const int s = slot(id);
   if ((x_.head<2>() - anchors_M_m_[static_cast<std::size_t>(s)]).squaredNorm() > squared(kAnchored_m)) {
     reanchor(s);
@@ -249,7 +249,7 @@ JointFilter::Outcome JointFilter::read(int id, const UhfRead& read, const Pose2&
 }
 
 void JointFilter::inform(int id, const UhfRead& read) {
-  age_echoes();
+  age_echoes(read.frequency_hz);
   const PhasePrediction p = predict(id, read, Pose2{});
   const double from_state = project(p.H);
   correct(0.0, from_state + model_.noise.variance(p.slant_m, read.rssi_dbm));

@@ -59,7 +59,8 @@ struct PhasePrediction {
 ///
 ///     phase = sign (k L + (k - k_0) (c T_port + cable error)) + offset_tag + offset_port + noise
 ///
-/// plus the echoes, Gauss-Markov processes over the antennas' way (PhaseNoise; left out if its echo is zero),
+/// plus the echoes, Gauss-Markov processes over the antennas' way and over frequency (PhaseNoise; left out if
+/// its echo is zero),
 /// with L the way over the tag and k_0 the wave number of the centre, so that what the tag's own phase keeps
 /// through all channels is one number, and a hop tells L itself.
 ///
@@ -139,6 +140,8 @@ class JointFilter {
   /// tags. An unknown tag counts as exactly known.
   [[nodiscard]] double across_sigma_m(const Vec2& n_M, int from, int to, double part) const;
 
+  /// Mean distance of the antennas from the robot's middle.
+  [[nodiscard]] double antenna_arm_m() const { return antenna_arm_m_; }
   /// For tests and bounds: the whole state and its covariance.
   [[nodiscard]] Eigen::Ref<const Eigen::VectorXd> state() const { return x_.head(n_); }
   [[nodiscard]] Eigen::Ref<const Eigen::MatrixXd> covariance() const { return P_.topLeftCorner(n_, n_); }
@@ -165,7 +168,7 @@ class JointFilter {
   void keep_in_disc(int j);
   void begin_echoes(int j);
   [[nodiscard]] double echo_variance(int echo) const;
-  void age_echoes();
+  void age_echoes(double frequency_hz);
   void set_offset(int j, const SparseRow& H, double innovation, double from_state, double noise);
 
   const PhaseReaderModel& model_;
@@ -184,6 +187,7 @@ class JointFilter {
   double antenna_height_m_;
   bool compass_known_{false};
   double way_since_read_m_{0.0};  ///< of an antenna, while echoes were not aged
+  double echo_hz_{0.0};           ///< at which the echoes are; 0: at no read yet
   double antenna_arm_m_{0.0};     ///< mean distance of the antennas from the robot's middle
 };
 

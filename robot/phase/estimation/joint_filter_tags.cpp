@@ -32,12 +32,14 @@ double JointFilter::echo_variance(int echo) const {
   return model_.monostatic ? (echo == 0 ? 0.0 : whole) : whole / 2.0;
 }
 
-void JointFilter::age_echoes() {
-  const double way_m = std::exchange(way_since_read_m_, 0.0);
-  if (echoes_ == 0 || way_m == 0.0) {
+void JointFilter::age_echoes(double frequency_hz) {
+  const double before_hz = std::exchange(echo_hz_, frequency_hz);
+  const PhaseNoise::Apart apart{.way_m = std::exchange(way_since_read_m_, 0.0),
+                                .hop_hz = before_hz > 0.0 ? frequency_hz - before_hz : 0.0};
+  const double kept = model_.noise.echo_kept(apart);
+  if (echoes_ == 0 || kept == 1.0) {
     return;
   }
-  const double kept = std::exp(-way_m / model_.noise.echo_length_m);
   for (int t = 0; t < tags(); ++t) {
     const int j = base_ + per_tag_ * t + kEcho;
     x_.segment(j, echoes_) *= kept;

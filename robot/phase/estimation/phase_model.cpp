@@ -41,9 +41,15 @@ double PhaseNoise::variance(double distance_m, double rssi_dbm) const {
   return floor_rad * floor_rad + far * far + weak * weak;
 }
 
-double PhaseNoise::echo_as_noise(double way_m) const {
+double PhaseNoise::echo_kept(const Apart& apart) const {
+  const double turn_rad = 2.0 * kPi * echo_delay_s * apart.hop_hz;
+  return std::exp(-apart.way_m / echo_length_m - 0.5 * turn_rad * turn_rad);
+}
+
+double PhaseNoise::echo_as_noise(const Apart& apart) const {
   // A standing antenna hears the same echo again and again: its reads count as one in a millimetre at least.
-  return echo_rad * echo_rad * std::max(1.0, 2.0 * echo_length_m / std::max(way_m, 1e-3));
+  const double kept = echo_kept({std::max(apart.way_m, 1e-3), apart.hop_hz});
+  return echo_rad * echo_rad * (1.0 + kept) / (1.0 - kept);
 }
 
 double PhaseReaderModel::wave_number(double frequency_hz) const {

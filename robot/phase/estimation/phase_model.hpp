@@ -23,7 +23,8 @@ struct AntennaMount {
 ///
 ///   sigma^2 = floor^2 + (per_m d)^2 + (at_50dbm 10^(-(RSSI + 50) / 20))^2
 ///
-/// and beside it what echoes bend, which reads nearby share: a Gauss-Markov process over the antenna's way.
+/// and beside it what echoes bend, which reads nearby share: a Gauss-Markov process over the antenna's way,
+/// and over frequency.
 ///
 /// | symbol        | meaning                                                  | unit  |
 /// |---------------|----------------------------------------------------------|-------|
@@ -31,6 +32,7 @@ struct AntennaMount {
 /// | at_50dbm      | read noise that follows RSSI (data study, 3.5)           | rad   |
 /// | echo          | root mean square of what echoes add to a read's phase    | rad   |
 /// | echo_length   | way over which it becomes another                        | m     |
+/// | echo_delay    | spread of the echoes' delays: the frequency, the same    | s     |
 struct PhaseNoise {
   double floor_rad{0.0};
   double per_m_rad{0.024};  ///< algorithms study, A.0: the paper's measurements
@@ -39,11 +41,19 @@ struct PhaseNoise {
   /// Fringes of a direct and a reflected wave are a half to one wavelength apart on the floor; their phase is
   /// another after a sixth of that.
   double echo_length_m{0.05};
+  double echo_delay_s{0.0};
   /// Of the read itself.
   [[nodiscard]] double variance(double distance_m, double rssi_dbm) const;
-  /// Of the echo if it were independent from read to read and had to say as little in sum. \param way_m  of
-  /// the antenna since the tag was last read by it
-  [[nodiscard]] double echo_as_noise(double way_m) const;
+  /// What two reads of a tag by one antenna have apart.
+  struct Apart {
+    double way_m{0.0};  ///< of the antenna
+    double hop_hz{0.0};
+  };
+  /// Correlation of their echoes.
+  [[nodiscard]] double echo_kept(const Apart& apart) const;
+  /// Variance of the echo if it were independent from read to read and had to say as little in sum. \param
+  /// apart  from the last read
+  [[nodiscard]] double echo_as_noise(const Apart& apart) const;
 };
 
 /// Reader and antennas as the robot knows them.

@@ -27,7 +27,7 @@ constexpr double kOutside = 0.96;       ///< a mean direction further out says n
 /// Lighter ones by this factor (its logarithm) are dropped. Chosen: a millionth.
 constexpr double kDropLog = 14.0;
 /// A read that fits nothing (an outlier) is taken to be this likely.
-constexpr double kOutlierShare = 0.01;
+constexpr double kOutlierShare = 0.05;
 constexpr double kGate2 = 25.0;  ///< five sigma squared (algorithms study, A.4)
 /// As share of half a period: a phase predicted worse than this cannot be told from its neighbours.
 constexpr double kAmbiguousShare = 0.4;
@@ -67,7 +67,7 @@ void TagBank::begin(const Pose2& X_OR, double height_m, const Eigen::Vector3d& o
   pending_m_ = pending_rad_ = driven_m_ = 0.0;
   misfit_ = 1.0;
   reads_ = 0;
-  both_wirings_ = both_wirings && model_.antennas.size() == 2;
+  both_wirings_ = both_wirings && model_.antennas.size() >= 2;
   strew(X_OR, false, offsets_rad, offset_variances);
   if (both_wirings_) {
     strew(X_OR, true, offsets_rad, offset_variances);
@@ -206,7 +206,11 @@ void TagBank::weigh(Component& c, const UhfRead& read, const Pose2& X_OR, double
 
 void TagBank::read(const UhfRead& read, const Pose2& X_OR, double noise_scale2) {
   spread();
-  const double echo = model_.noise.echo_as_noise(std::exchange(way_since_read_m_[read.antenna - 1u], 0.0));
+  const std::size_t port = read.antenna - 1u;
+  const double before_hz = std::exchange(last_hz_[port], read.frequency_hz);
+  const double echo =
+      model_.noise.echo_as_noise({.way_m = std::exchange(way_since_read_m_[port], 0.0),
+                                  .hop_hz = before_hz > 0.0 ? read.frequency_hz - before_hz : 0.0});
   for (std::size_t i = 0; i < count_; ++i) {
     weigh(components_[i], read, X_OR, noise_scale2, echo);
   }

@@ -108,6 +108,7 @@ class TagBank {
   double pending_m_{0.0};
   double pending_rad_{0.0};
   std::array<double, PhaseReaderModel::kMostAntennas> way_since_read_m_{};
+  std::array<double, PhaseReaderModel::kMostAntennas> last_hz_{};  ///< 0: not read yet
   double driven_m_{0.0};
   double misfit_{1.0};
   int reads_{0};

@@ -69,7 +69,8 @@ std::optional<TagSearch::Move> TagSearch::step(const WheelStep& way, std::option
       if (turned_rad_ < kTurn_rad) {
         return Move{0.0, config_.turn_radps};
       }
-      const bool heard = std::any_of(sectors_.begin(), sectors_.end(), [](const Sector& s) { return s.count > 0; });
+      const bool heard =
+          std::any_of(sectors_.begin(), sectors_.end(), [](const Sector& s) { return s.count > 0; });
       silent_turns_ = heard ? 0 : silent_turns_ + 1;
       if (silent_turns_ == 1 && round_ == 0) {
         begin_turn();

@@ -12,18 +12,18 @@ namespace sensotwin::robot {
 
 /// How a tag is looked for whose place is not known.
 struct TagSearchConfig {
-  double turn_radps{0.6};   ///< chosen: 6 cm of an antenna 0.1 m off the middle, ten rounds of four ports
-  double speed_mps{0.15};   ///< chosen: slower than driving, as nobody knows what stands there
-  /// Driven between two turns; sides of the square grow by as much. Chosen: two wavelengths, so that a fade is
-  /// left behind.
+  double turn_radps{0.6};  ///< chosen: 6 cm of an antenna 0.1 m off the middle, ten rounds of four ports
+  double speed_mps{0.15};  ///< chosen: slower than driving, as nobody knows what stands there
+  /// Driven between two turns; sides of the square grow by as much. Chosen: two wavelengths, so that a fade
+  /// is left behind.
   double piece_m{0.6};
   int rounds{6};  ///< then it is given up. Chosen: the square is 1.8 m wide by then
 };
 
 /// Looks for a tag whose place is not known: once round on the spot; if the tag answered meanwhile, a piece
-/// straight on towards where it did so loudest; if it did not, once more round, and then a piece along a square
-/// that grows, as one searches at sea. Then round again. Antennas that look ahead and behind hear a tag from
-/// far away in some headings only, and a way tells where it is.
+/// straight on towards where it did so loudest; if it did not, once more round, and then a piece along a
+/// square that grows, as one searches at sea. Then round again. Antennas that look ahead and behind hear a
+/// tag from far away in some headings only, and a way tells where it is.
 ///
 /// Knows wheels and loudness only. Never allocates.
 class TagSearch {

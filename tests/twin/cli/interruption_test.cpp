@@ -24,7 +24,7 @@ std::string large_room(const TemporaryFolder& folder) {
 }
 
 /// What must hold of a folder whenever the run ended.
-void expect_valid_partial_folder(const std::filesystem::path& run) {
+void expect_valid_partial_folder(const std::filesystem::path& run, bool maps = true) {
   const auto summary = nlohmann::json::parse(content_of(run / "summary.json"), nullptr, false);
   ASSERT_FALSE(summary.is_discarded());
   EXPECT_EQ(summary["verdict"], "interrupted");
@@ -42,7 +42,7 @@ void expect_valid_partial_folder(const std::filesystem::path& run) {
   for (std::string line; std::getline(events, line);) {
     EXPECT_FALSE(nlohmann::json::parse(line, nullptr, false).is_discarded()) << line;
   }
-  EXPECT_TRUE(std::filesystem::exists(run / "map.yaml"));
+  EXPECT_EQ(std::filesystem::exists(run / "map.yaml"), maps);
   for (const auto& entry : std::filesystem::recursive_directory_iterator(run)) {
     EXPECT_NE(entry.path().extension(), ".part") << entry.path();
   }
@@ -80,6 +80,22 @@ TEST(Interruption, OfARunThatIsDrawingItsPicturesDoesNotWaitForTheRest) {
   RecordProperty("after_ms", static_cast<int>(1000 * end.after_s));
   expect_valid_partial_folder(folder / "run");
   EXPECT_FALSE(std::filesystem::exists(folder / "run/tags_over_time.png"));
+}
+
+TEST(Interruption, OfARunAlongCeilingTagsEndsWithinASecondToo) {
+  const TemporaryFolder folder;
+  // The fuzzy controller never comes to a tag that fell off, and looks for it for ever.
+  BackgroundTwin twin({"run", (kSource / "scenes/line_at_90.yaml").string(), "--set",
+                       "world.ceiling_tags[1].present=false", "--set", "time_limit_s=100000000", "--tag-log",
+                       (folder / "reads.csv").string(), "--out", (folder / "run").string()});
+  ASSERT_TRUE(twin.wait_for(folder / "run/.trace.csv.part"));
+  std::this_thread::sleep_for(std::chrono::milliseconds(300));
+  const auto end = twin.stop(SIGINT);
+  EXPECT_EQ(end.code, 130);
+  EXPECT_LT(end.after_s, 1.0);
+  RecordProperty("after_ms", static_cast<int>(1000 * end.after_s));
+  expect_valid_partial_folder(folder / "run", false);
+  EXPECT_EQ(content_of(folder / "reads.csv").back(), '\n');
 }
 
 TEST(Interruption, OfAStudyEndsAtTheFirstSigintAndLeavesNothingHalfWritten) {

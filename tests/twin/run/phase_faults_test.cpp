@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // What goes wrong between tags, reader and robot, end to end in the hallway: our own controller notices, says
 // so, and stays inside.
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -9,7 +10,7 @@
 #include <utility>
 #include <vector>
 
-#include "mapping_case.hpp"
+#include "phase_case.hpp"
 #include "twin/run/ideal_path.hpp"
 #include "twin/run/phase_twin.hpp"
 
@@ -175,6 +176,43 @@ TEST(FaultyRadio, WithThreeTimesTheNoiseArrives) {
   run.run_until(900.0);
   EXPECT_TRUE(run.arrived());
   EXPECT_EQ(run.wall_contacts(), 0u);
+}
+
+/// What is said in one run of a variant of the hallway, whose expectations of each run it must keep.
+std::vector<std::string> said_in(const std::string& variant, std::uint64_t seed) {
+  const Scene scene = read_scene(kSource / "scenes/hallway.yaml", {.seed = seed, .variant = variant});
+  const TemporaryFolder folder;
+  const Summary summary = phase_run(folder / "run", scene);
+  EXPECT_EQ(summary.path->wall_contacts, 0) << variant;
+  for (const auto& judged : summary.expect) {
+    EXPECT_TRUE(judged.ok) << variant << ": " << judged.asked.name;
+  }
+  std::vector<std::string> said;
+  const std::string events = content_of(folder / "run/events.jsonl");
+  const std::string key = "\"event\":\"";
+  for (std::size_t at = events.find(key); at != std::string::npos; at = events.find(key, at + 1)) {
+    const std::size_t begin = at + key.size();
+    said.push_back(events.substr(begin, events.find('"', begin) - begin));
+  }
+  return said;
+}
+
+// The same over 200 seeds: tests/twin/run/phase_long_test.cpp and docs/phase.md.
+TEST(FaultyHallway, WithARealReaderThatFallsSilentIsSaidAndDoesNoHarm) {
+  EXPECT_THAT(said_in("fault_silent", 1), testing::IsSupersetOf({"reader_silent", "reader_back", "arrived"}));
+}
+
+TEST(FaultyHallway, WithARealReaderWhoseCablesAreSwappedIsFoundOut) {
+  EXPECT_THAT(said_in("fault_cables", 1), testing::IsSupersetOf({"cables_swapped", "arrived"}));
+}
+
+TEST(FaultyHallway, WithATagThatFellOffEndsAtTheOneBeforeIt) {
+  EXPECT_THAT(said_in("fault_missing", 1), testing::IsSupersetOf({"tag_missing", "stopped"}));
+}
+
+TEST(FaultyHallway, WithTwoCodesExchangedIsDoubtedAndPutRight) {
+  EXPECT_THAT(said_in("fault_exchanged", 1),
+              testing::IsSupersetOf({"order_doubtful", "order_exchanged", "arrived"}));
 }
 
 }  // namespace

@@ -56,5 +56,36 @@ TEST(PhaseSeeds, OfOurOwnControllerArriveWithinCentimetresAndTouchNothing) {
   EXPECT_LE(median(hallway), 0.02);
 }
 
+/// Arrived and touching, of a variant's 200 seeds.
+Seeds variant_of(const std::string& scene, const std::string& variant) {
+  Seeds seeds;
+  for (std::uint64_t seed = 1; seed <= kSeeds; ++seed) {
+    const PathResult path =
+        path_of(read_scene(kSource / "scenes" / (scene + ".yaml"), {.seed = seed, .variant = variant}));
+    seeds.rmse_m.push_back(path.rmse_m);
+    seeds.arrived += path.arrived;
+    seeds.touched += path.wall_contacts > 0 ? 1 : 0;
+  }
+  std::sort(seeds.rmse_m.begin(), seeds.rmse_m.end());
+  return seeds;
+}
+
+TEST(PhaseSeeds, WithARealReadersRadioAllArriveAndTheHallwayIsWithinItsGoal) {
+  for (const char* scene : {"line_at_90", "line_at_0", "complex_path", "circle", "smooth_curve", "hallway"}) {
+    const Seeds seeds = variant_of(scene, "r420");
+    EXPECT_EQ(seeds.arrived, static_cast<int>(kSeeds)) << scene;
+    EXPECT_EQ(seeds.touched, 0) << scene;
+    EXPECT_LE(median(seeds), 0.15) << scene;
+    EXPECT_LE(seeds.rmse_m[189], 0.40) << scene;
+  }
+}
+
+TEST(PhaseSeeds, WithFaultsNeverTouchAWallOfTheHallway) {
+  for (const char* variant : {"fault_silent", "fault_half_lost", "fault_missing", "fault_cables",
+                              "fault_noise", "fault_fuzzy_silent", "fault_fuzzy_half_lost"}) {
+    EXPECT_EQ(variant_of("hallway", variant).touched, 0) << variant;
+  }
+}
+
 }  // namespace
 }  // namespace sensotwin::twin

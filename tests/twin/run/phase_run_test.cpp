@@ -43,7 +43,7 @@ TEST(PhaseRun, OfThePapersLineArrivesByFloorTagsAndLeavesAllItsFiles) {
   EXPECT_GT(summary.path->time_to_first_s, 35.0);
   const auto files = files_in(folder / "run");
   for (const char* name : {"trace.csv", "events.jsonl", "summary.json", "reads.csv", "path.png", "plan.png",
-                           "error.png", "controller.png", "oblique.png"}) {
+                           "error.png", "noise.png", "controller.png", "oblique.png"}) {
     EXPECT_EQ(files.count(name), 1u) << name;
   }
   // Two antennas, one tag each twenty times a second and more tags in sight.

@@ -46,6 +46,49 @@ TEST(PhaseScene, PutsTwoAntennasOnTheRobotWhenNoneAreGiven) {
   EXPECT_EQ(scene.world.radio->antennas[1].at_m.y(), -0.08);
 }
 
+TEST(PhaseScene, MountsFourAntennasOnARoofWhenTold) {
+  const Scene scene =
+      read_scene_text(kTagScene, "s.yaml",
+                      {.set = {"robot.uhf_reader.mount=roof", "mission.phase.controller=own"}, .seed = {}});
+  const auto& antennas = scene.world.radio->antennas;
+  ASSERT_EQ(antennas.size(), 4u);
+  for (const world::AntennaDescription& antenna : antennas) {
+    EXPECT_NEAR(antenna.boresight.norm(), 1.0, 1e-12);
+    EXPECT_GT(antenna.boresight.x() * antenna.at_m.x(), 0.0) << "each looks away from the middle";
+    EXPECT_LT(antenna.at_m.head<2>().norm(), scene.robot.base.radius_m);
+  }
+}
+
+TEST(PhaseScene, StatesFaultsOfReaderCablesAndList) {
+  const Scene scene =
+      read_scene_text(kTagScene, "s.yaml",
+                      {.set = {"robot.uhf_reader.faults.silent_s=[[20, 22], [30, 31]]",
+                               "robot.uhf_reader.faults.lost_share=0.5",
+                               "robot.uhf_reader.faults.cables=swapped", "mission.phase.exchanged=[A, B]"},
+                       .seed = {}});
+  const world::ReaderFaults& faults = scene.world.radio->faults;
+  ASSERT_EQ(faults.silent_s.size(), 2u);
+  EXPECT_EQ(faults.silent_s[1].x(), 30.0);
+  EXPECT_EQ(faults.lost_share, 0.5);
+  EXPECT_TRUE(faults.cables_swapped);
+  EXPECT_EQ(scene.mission.phase->exchanged.size(), 2u);
+}
+
+TEST(PhaseScene, RefusesFaultsThatSayNothing) {
+  for (const auto& [set, message] :
+       {std::pair{"robot.uhf_reader.faults.silent_s=[[22, 20]]", "is from 22 s to 20 s"},
+        {"mission.phase.exchanged=[A]", "names one tag"},
+        {"mission.phase.exchanged=[A, A]", "names one tag"},
+        {"mission.phase.exchanged=[A, C]", "there is no tag 'C'"}}) {
+    try {
+      (void)read_scene_text(kTagScene, "s.yaml", {.set = {set}, .seed = {}});
+      ADD_FAILURE() << set;
+    } catch (const SceneError& error) {
+      EXPECT_NE(std::string(error.what()).find(message), std::string::npos) << error.what();
+    }
+  }
+}
+
 TEST(PhaseScene, TakesAProfileAndWhatDiffersFromIt) {
   const Scene scene =
       read_scene_text(kTagScene, "s.yaml", {.set = {"world.radio.profile=impinj_r420"}, .seed = {}});

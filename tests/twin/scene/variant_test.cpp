@@ -44,6 +44,27 @@ TEST(Variant, ReplacesExpectationsAsAWhole) {
   EXPECT_EQ(scene.expect[0].name, "minutes");
 }
 
+TEST(Variant, GoesOnFromOneAboveIt) {
+  const Scene scene = read_scene_text(kWithVariants + "  both:\n    from: dfm\n    title: Both\n", "s.yaml",
+                                      {.variant = "both"});
+  EXPECT_EQ(scene.mission.map->explorer, robot::ExplorerKind::kDfm);
+  EXPECT_EQ(scene.title, "Both");
+  EXPECT_EQ(scene.expect.at(0).name, "minutes");
+}
+
+TEST(Variant, GoesOnFromNoneBelowNorFromItself) {
+  for (const char* base : {"self", "later", "none"}) {
+    const std::string text = kWithVariants + "  self:\n    from: " + base + "\n  later:\n    title: Later\n";
+    try {
+      (void)read_scene_text(text, "s.yaml", {.variant = "self"});
+      ADD_FAILURE() << base;
+    } catch (const SceneError& error) {
+      EXPECT_THAT(error.what(), testing::HasSubstr("variants.self.from: is '" + std::string(base)));
+      EXPECT_THAT(error.what(), testing::HasSubstr("expected the name of a variant above this one"));
+    }
+  }
+}
+
 TEST(Variant, ReachesIntoAList) {
   EXPECT_EQ(read_as("heavy").world.furniture[0].mass_kg, 4.0);
   EXPECT_EQ(read_as("heavy").title, "A heavy table");

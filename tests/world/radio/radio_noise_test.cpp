@@ -22,6 +22,23 @@ TEST(RadioNoise, IsProportionalToTheDistanceInThePapersProfile) {
   }
 }
 
+TEST(RadioNoise, IsToldBesideEachReadAsWhatIsNotTheWayOfTheWave) {
+  RadioWorld world = one_tag(1);
+  world.radio = paper_radio();
+  Radio radio(world, robot::RandomStream{1});
+  const auto reads = reads_at_rest(radio, {}, 5.0);
+  ASSERT_GT(reads.size(), 50u);
+  const double distance_m =
+      (Eigen::Vector3d{world.tags[0].at_m.x(), world.tags[0].at_m.y(), world.tags[0].height_m} -
+       world.antennas[0].at_m)
+          .norm();
+  const double quiet_rad = reads[0].phase_rad - reads[0].error_rad;
+  for (const RadioRead& read : reads) {
+    EXPECT_NEAR(read.distance_m, distance_m, 1e-9);
+    EXPECT_NEAR(between_rad(read.phase_rad - read.error_rad, quiet_rad), 0.0, 1e-9);
+  }
+}
+
 TEST(RadioNoise, HasAFloorInTheSecondLawAndScalesAsAWhole) {
   RadioWorld world = one_tag(1);
   world.radio.noise_law = NoiseLaw::kOffset;

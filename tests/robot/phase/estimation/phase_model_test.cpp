@@ -149,6 +149,30 @@ TEST(PhaseReaderModel, CountsTheWayTwiceWhereOneAntennaSendsAndReceives) {
   EXPECT_NEAR(way.slant_m, 3.0, 1e-12);
 }
 
+TEST(PhaseNoise, TakesTheEchoOfAnotherPlaceOrChannelForAnother) {
+  PhaseNoise noise;
+  noise.echo_rad = 0.3;
+  noise.echo_length_m = 0.08;
+  noise.echo_delay_s = 18e-9;
+  EXPECT_DOUBLE_EQ(noise.echo_kept({}), 1.0);
+  EXPECT_NEAR(noise.echo_kept({.way_m = 0.08}), std::exp(-1.0), 1e-12);
+  // Across the FCC band, 24.5 MHz at 18 ns: 2.8 rad, 2 % kept.
+  EXPECT_LT(noise.echo_kept({.hop_hz = 24.5e6}), 0.03);
+  EXPECT_GT(noise.echo_kept({.hop_hz = 0.5e6}), 0.99);
+}
+
+TEST(PhaseNoise, CountsReadsOfOneEchoAsFew) {
+  PhaseNoise noise;
+  noise.echo_rad = 0.3;
+  noise.echo_length_m = 0.08;
+  noise.echo_delay_s = 18e-9;
+  // A thousand reads over a centimetre say as much of the way as reads 16 cm apart would: their variance in
+  // sum is that of an eighth of a read.
+  EXPECT_NEAR(noise.echo_as_noise({.way_m = 0.001}), 0.09 * 160.0, 0.1);
+  EXPECT_NEAR(noise.echo_as_noise({.way_m = 1.0}), 0.09, 0.001);
+  EXPECT_NEAR(noise.echo_as_noise({.hop_hz = 24.5e6}), 0.09, 0.006);
+}
+
 TEST(DeadReckoning, FindsThePlaceBetweenTwoStepsAtTheTimeOfARead) {
   DeadReckoning reckoning;
   const Instant start{};

@@ -20,7 +20,7 @@ double Pacer::wait_s(double wall_s, bool client_follows) const {
   if (factor_) {
     return std::max(0.0, due_s_ - wall_s);
   }
-  const double due_s = last_s_ + (client_follows ? kTick_s / kFastestFactor : kTick_s);
+  const double due_s = last_s_ + (client_follows ? kShortestTick_s : kTick_s);
   return std::max(0.0, due_s - wall_s);
 }
 

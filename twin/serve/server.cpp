@@ -86,7 +86,9 @@ void Server::State::tick_or_sleep(double wall_s) {
   }
   handles.clear();
   wires.watch(handles);
-  sleep_until_something(handles, std::min(wait_s, kSleepMax_s));
+  // Nothing wakes us when a client has read what it was sent.
+  const bool looking = pacer.follows_client() && wires.base().has_client();
+  sleep_until_something(handles, std::min(wait_s, looking ? Pacer::kShortestTick_s : kSleepMax_s));
 }
 
 void Server::State::announce() {

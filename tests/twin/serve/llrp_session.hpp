@@ -16,6 +16,29 @@ struct CapturedFrame {
   robot::Bytes bytes;
 };
 
+/// A ROSpec that reports each read by itself with all that can be told of it.
+[[nodiscard]] inline robot::llrp::RoSpec every_read() {
+  namespace llrp = robot::llrp;
+  llrp::RoSpec spec{.id = 7};
+  spec.boundary.start.kind = llrp::RoStart::kImmediate;
+  spec.ai_specs = {{.antennas = {0}, .inventory = {{.id = 1}}}};
+  spec.report = llrp::RoReportSpec{.trigger = llrp::RoReportTrigger::kTagsOrEndOfAiSpec,
+                                   .tags = 1,
+                                   .content = {.ro_spec_id = true,
+                                               .spec_index = true,
+                                               .inventory_spec_id = true,
+                                               .antenna_id = true,
+                                               .channel_index = true,
+                                               .peak_rssi = true,
+                                               .first_seen = true,
+                                               .last_seen = true,
+                                               .tag_seen_count = true,
+                                               .access_spec_id = true}};
+  spec.report->impinj = llrp::ImpinjReportContent{.phase_angle = llrp::ImpinjEnablePhaseAngle{1},
+                                                  .peak_rssi = llrp::ImpinjEnablePeakRssi{1}};
+  return spec;
+}
+
 /// A client that asks a reader at a TCP port for everything it has, and keeps all that was said.
 class LlrpSession {
  public:
@@ -31,24 +54,7 @@ class LlrpSession {
     config.reset_to_factory = true;
     config.keepalive = llrp::KeepaliveSpec{.trigger = llrp::KeepaliveTrigger::kPeriodic, .period_ms = 100};
     say(config);
-    llrp::RoSpec spec{.id = 7};
-    spec.boundary.start.kind = llrp::RoStart::kImmediate;
-    spec.ai_specs = {{.antennas = {0}, .inventory = {{.id = 1}}}};
-    spec.report = llrp::RoReportSpec{.trigger = llrp::RoReportTrigger::kTagsOrEndOfAiSpec,
-                                     .tags = 1,
-                                     .content = {.ro_spec_id = true,
-                                                 .spec_index = true,
-                                                 .inventory_spec_id = true,
-                                                 .antenna_id = true,
-                                                 .channel_index = true,
-                                                 .peak_rssi = true,
-                                                 .first_seen = true,
-                                                 .last_seen = true,
-                                                 .tag_seen_count = true,
-                                                 .access_spec_id = true}};
-    spec.report->impinj = llrp::ImpinjReportContent{.phase_angle = llrp::ImpinjEnablePhaseAngle{1},
-                                                    .peak_rssi = llrp::ImpinjEnablePeakRssi{1}};
-    say(llrp::AddRoSpec{spec});
+    say(llrp::AddRoSpec{every_read()});
     say(llrp::EnableRoSpec{7});
     hear_for(1.0);
     say(llrp::GetRoSpecs{});

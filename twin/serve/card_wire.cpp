@@ -19,6 +19,8 @@ constexpr std::uint8_t kTellAtr = 4;
 constexpr double kRedial_s = 1.0;
 /// Chosen: five of six tags come while somebody waits for them, and listing the readers stays bearable.
 constexpr double kHoldAnswer_s = 1.0;
+/// What pcscd may take to notice a tag. Chosen: two looks and some.
+constexpr double kNoticed_s = 1.5;
 /// Seven of pcscd's looks (0.4 s each) without one for us.
 constexpr double kSilent_s = 3.0;
 /// A message has a length of 16 bits, and we read no second one before the first is answered.
@@ -40,10 +42,14 @@ void CardWire::do_watch(std::vector<pollfd>& handles) const {
     const auto events = static_cast<short>(out_.empty() ? POLLIN : POLLIN | POLLOUT);
     handles.push_back({.fd = socket_.get(), .events = events, .revents = 0});
   }
+  if (left_) {
+    handles.push_back({.fd = left_.get(), .events = POLLIN, .revents = 0});
+  }
 }
 
 void CardWire::do_pump(double wall_s) {
-  look_at_field();
+  look_at_field(wall_s);
+  see_whether_noticed();
   if (!socket_ && wall_s >= dial_again_s_) {
     dial(wall_s);
   }
@@ -65,15 +71,41 @@ void CardWire::tell_atr(double wall_s) {
   }
 }
 
-void CardWire::look_at_field() {
+void CardWire::look_at_field(double wall_s) {
   const bool present = reader_.presence() == robot::CardPresence::kPresent;
   if (exchange_) {
     finish_exchange();
   }
   if (present_ && !present && told_in_) {
-    hang_up();
+    take_leave(wall_s);
+  }
+  if (present_ != present) {
+    changed_s_ = wall_s;
   }
   present_ = present;
+}
+
+/// Closes one way only: vpcd sees the end when it looks, ends its side too, and so tells us that it has seen.
+void CardWire::take_leave(double wall_s) {
+  ::shutdown(socket_.get(), SHUT_WR);
+  left_ = std::move(socket_);
+  hang_up();
+  dial_again_s_ = wall_s;
+}
+
+void CardWire::see_whether_noticed() {
+  std::array<std::uint8_t, 4096> chunk;  // NOLINT(cppcoreguidelines-pro-type-member-init)
+  if (left_) {
+    const ssize_t size = ::recv(left_.get(), chunk.data(), chunk.size(), 0);
+    if (size == 0 || (size < 0 && errno != EAGAIN && errno != EINTR)) {
+      left_.reset();
+    }
+  }
+}
+
+bool CardWire::is_settled(double wall_s) const {
+  const bool known = present_ ? told_in_ : !left_;
+  return known || peer_ != Peer::kServing || wall_s - changed_s_ > kNoticed_s;
 }
 
 void CardWire::dial(double wall_s) {

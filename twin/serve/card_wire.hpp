@@ -40,15 +40,19 @@ class CardWire final : public Wire {
   [[nodiscard]] const Endpoint& endpoint() const { return vpcd_; }
   /// vpcd has been told that there is a tag.
   [[nodiscard]] bool card_is_in() const { return told_in_; }
+  /// pcscd knows what is in the field now, or nobody asks, or it has had time enough.
+  [[nodiscard]] bool is_settled(double wall_s) const;
 
  private:
   void do_watch(std::vector<pollfd>& handles) const override;
   void do_pump(double wall_s) override;
   [[nodiscard]] bool do_has_client() const override { return peer_ == Peer::kServing; }
 
-  void look_at_field();
+  void look_at_field(double wall_s);
   void dial(double wall_s);
   void hang_up();
+  void take_leave(double wall_s);
+  void see_whether_noticed();
   void listen(double wall_s);
   /// \returns whether the whole of a message has come and was dealt with
   [[nodiscard]] bool take_message();
@@ -61,6 +65,7 @@ class CardWire final : public Wire {
   robot::CardLink& reader_;
   Endpoint vpcd_;
   Handle socket_;
+  Handle left_;  ///< closed by us for a tag that has gone, until vpcd has seen it
   Peer peer_{Peer::kUnknown};
   bool present_{false};   ///< a tag is in the field
   bool heard_{false};     ///< vpcd has asked on this connection
@@ -68,6 +73,7 @@ class CardWire final : public Wire {
   bool exchange_{false};  ///< an APDU is with the tag
   bool asked_{false};     ///< for an ATR, and not answered yet
   double asked_s_{0.0};
+  double changed_s_{0.0};  ///< when a tag came or went
   double dialled_s_{0.0};
   double dial_again_s_{0.0};
   robot::Bytes in_;

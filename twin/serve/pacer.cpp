@@ -24,6 +24,10 @@ double Pacer::wait_s(double wall_s, bool client_follows) const {
   return std::max(0.0, due_s - wall_s);
 }
 
+void Pacer::stand_still(double wall_s) {
+  due_s_ = std::max(due_s_, wall_s);
+}
+
 void Pacer::tick(double wall_s) {
   last_s_ = wall_s;
   if (factor_) {

@@ -21,6 +21,8 @@ class Pacer {
   /// Without a factor: real time while there is no client or while it lags, else at once, with
   /// kShortestTick_s between. \param client_follows  the client has read all it was sent
   [[nodiscard]] double wait_s(double wall_s, bool client_follows) const;
+  /// No tick is made for a reason of our own: what is waited for is not made up.
+  void stand_still(double wall_s);
   /// A tick was made.
   void tick(double wall_s);
 

@@ -162,6 +162,25 @@ TEST_F(ServedCard, VanishesWithTheTagAndAppearsWithTheNext) {
   EXPECT_EQ(ask({0xFF, 0xCA, 0x00, 0x00, 0x00})[9], 6);
 }
 
+TEST_F(ServedCard, KnowsWhenPcscdHasNoticed) {
+  put_in();
+  EXPECT_TRUE(wire_.is_settled(now_s_));
+  field_ = nullptr;
+  tick();
+  EXPECT_FALSE(wire_.is_settled(now_s_));
+  EXPECT_TRUE(wire_.is_settled(now_s_ + 2.0)) << "it has had time enough";
+  vpcd_.say({4});
+  EXPECT_TRUE(vpcd_.card_is_gone());
+  vpcd_.hang_up();
+  EXPECT_TRUE(until([&] { return wire_.is_settled(now_s_); }));
+  field_ = &other_;
+  tick();
+  EXPECT_FALSE(wire_.is_settled(now_s_));
+  ASSERT_TRUE(vpcd_.accept());
+  EXPECT_EQ(ask({4}).size(), 22u);
+  EXPECT_TRUE(wire_.is_settled(now_s_));
+}
+
 TEST_F(ServedCard, ShowsAnExchangedTagAsARemovedOne) {
   put_in();
   field_ = &other_;

@@ -51,6 +51,8 @@ class MappingProgram {
 
   /// \param now  15 ms after the last call, or as near to it as the clock allows
   void step(Instant now);
+  /// Stops the wheels and ends the Open Interface. Nothing is to be stepped after that.
+  void shut_down() { base_.shut_down(); }
 
   [[nodiscard]] bool done() const { return mission_.done(); }
   [[nodiscard]] MappingMission& mission() { return mission_; }

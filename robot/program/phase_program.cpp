@@ -62,6 +62,11 @@ void PhaseProgram::step(Instant now) {
   }
 }
 
+void PhaseProgram::shut_down() {
+  base_.shut_down();
+  uhf_reader_.shut_down();
+}
+
 void PhaseProgram::gather_reads() {
   // A robot without frames has no mission step; its reads would be old by then.
   constexpr std::size_t kMostReads = 1024;

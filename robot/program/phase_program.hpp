@@ -50,6 +50,9 @@ class PhaseProgram {
 
   /// \param now  15 ms after the last call, or as near to it as the clock allows
   void step(Instant now);
+  /// Stops the wheels, ends the Open Interface and the reader's inventory. Nothing is to be stepped after
+  /// that.
+  void shut_down();
 
   [[nodiscard]] bool done() const;
   /// At the last destination.

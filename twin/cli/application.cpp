@@ -7,7 +7,7 @@
 #include <optional>
 #include <ostream>
 
-#include "twin/cli/help_formatter.hpp"
+#include "robot/cli/help_formatter.hpp"
 #include "twin/cli/version.hpp"
 #include "twin/output/output_error.hpp"
 #include "twin/scene/nearest_name.hpp"
@@ -153,7 +153,7 @@ void Context::warn(std::string_view line) const {
 ExitCode run_application(const std::vector<std::string>& arguments, const std::vector<Command>& commands,
                          const Environment& environment) {
   CLI::App app{"a digital twin of a Roomba that maps and navigates by RFID", "twin"};
-  app.formatter(std::make_shared<HelpFormatter>());
+  app.formatter(std::make_shared<robot::HelpFormatter>());
   app.fallthrough();
   app.require_subcommand(0, 1);
   app.footer("twin list scenes\ntwin doctor");

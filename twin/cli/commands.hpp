@@ -32,6 +32,7 @@ struct RunOptions {
   int trace_every{7};  ///< ticks from row to row of trace.csv. Chosen: 0.1 s, a row every 3 cm at 0.3 m/s
   bool pictures{true};
   std::optional<std::filesystem::path> tag_log{};
+  std::optional<std::filesystem::path> journal{};
 };
 [[nodiscard]] Command make_run_command(Deed<RunOptions> deed);
 
@@ -63,6 +64,11 @@ struct ValidateOptions {
   bool pictures{true};
 };
 [[nodiscard]] Command make_validate_command(Deed<ValidateOptions> deed);
+
+struct ReplayOptions {
+  std::filesystem::path journal;
+};
+[[nodiscard]] Command make_replay_command(Deed<ReplayOptions> deed);
 
 struct ShowOptions {
   SceneChoice choice{};

@@ -6,6 +6,7 @@
 /// What the commands do: each joins the command line to one library of the twin.
 namespace sensotwin::twin {
 
+ExitCode replay_deed(const ReplayOptions& options, Context& context);
 ExitCode run_deed(const RunOptions& options, Context& context);
 ExitCode serve_deed(const ServeOptions& asked, Context& context);
 ExitCode validate_deed(const ValidateOptions& options, Context& context);

@@ -15,6 +15,7 @@ Command make_run_command(Deed<RunOptions> deed) {
           "twin run scenes/house.yaml\n"
           "twin run scenes/house.yaml --seed 8 --set mission.map.explorer=dfm --out runs/dfm\n"
           "twin run scenes/hallway.yaml --tag-log hallway.csv\n"
+          "twin run scenes/lesson_2x2.yaml --journal lesson.journal\n"
           "twin run scenes/house.yaml --json | jq .verdict",
       .set_up =
           [options](CLI::App& app) {
@@ -28,6 +29,10 @@ Command make_run_command(Deed<RunOptions> deed) {
             app.add_option_function<std::string>(
                    "--tag-log", [options](const std::string& file) { options->tag_log = file; },
                    "Write what the UHF reader reports, as sllurp does (CSV)")
+                ->option_text("FILE");
+            app.add_option_function<std::string>(
+                   "--journal", [options](const std::string& file) { options->journal = file; },
+                   "Write all bytes of all wires, for twin replay")
                 ->option_text("FILE");
             app.add_flag_callback(
                 "--no-pictures", [options] { options->pictures = false; }, "Leave pictures and charts out");

@@ -69,6 +69,7 @@ ExitCode run_deed(const RunOptions& options, Context& context) {
       .trace_every = options.trace_every,
       .pictures = options.pictures,
       .tag_log = options.tag_log,
+      .journal = options.journal,
       .keep_going =
           [&](const RunProgress& now) {
             state.done = now.done;

@@ -1,24 +1,12 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <stdexcept>
-#include <string>
-
+#include "robot/output/output_error.hpp"
 #include "twin/output/exit_codes.hpp"
 
+/// The machine's, under the twin's name.
 namespace sensotwin::twin {
 
-/// A file or folder of a run could not be written. Thrown by everything in twin/output; its text names the
-/// file and the system's reason, in one line.
-class OutputError : public std::runtime_error {
- public:
-  OutputError(ExitCode exit_code, const std::string& what)
-      : std::runtime_error(what), exit_code_(exit_code) {}
-  /// kCannotCreate, or kIoError once something had been written.
-  [[nodiscard]] ExitCode exit_code() const { return exit_code_; }
-
- private:
-  ExitCode exit_code_;
-};
+using robot::OutputError;
 
 }  // namespace sensotwin::twin

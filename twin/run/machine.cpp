@@ -25,12 +25,21 @@ EmulatedRoombaConfig mainboard_of(const Scene& scene) {
 
 }  // namespace
 
-robot::RoombaConfig base_config_of(const Scene& scene) {
-  robot::RoombaConfig config;
-  if (scene.robot.base.firmware == world::RoombaFirmware::kWifi) {
-    config.mode_report_offset = 1;
-  }
-  return config;
+robot::RobotSettings robot_settings_of(const Scene& scene) {
+  const world::RoombaDescription& base = scene.robot.base;
+  robot::RobotSettings settings;
+  settings.base = {.kind = static_cast<robot::BaseKind>(base.kind),
+                   .firmware = static_cast<robot::BaseFirmware>(base.firmware),
+                   .radius_m = base.radius_m,
+                   .wheel_base_m = base.wheel_base_m,
+                   .wheel_diameter_m = base.wheel_diameter_m,
+                   .counts_per_turn = base.counts_per_turn,
+                   .speed_max_mps = base.speed_max_mps};
+  settings.floor_reader.read_radius_m = scene.robot.floor_reader.read_radius_m;
+  settings.forward_reader.read_radius_m = scene.robot.forward_reader.read_radius_m;
+  settings.tile_m = scene.world.carpet.tile_m;
+  settings.mission = scene.mission;
+  return settings;
 }
 
 Machine::Machine(const Scene& scene, const robot::RandomStream& random)

@@ -3,7 +3,7 @@
 
 #include "robot/base/random.hpp"
 #include "robot/base/time.hpp"
-#include "robot/drivers/roomba.hpp"
+#include "robot/settings/robot_settings.hpp"
 #include "twin/devices/emulated_card_reader.hpp"
 #include "twin/devices/emulated_compass_board.hpp"
 #include "twin/devices/emulated_roomba.hpp"
@@ -54,7 +54,8 @@ class Machine {
   StateHash hash_;
 };
 
-/// How the base is spoken to: as its firmware wants it.
-[[nodiscard]] robot::RoombaConfig base_config_of(const Scene& scene);
+/// What the robot knows of itself and of its task; of a radio, see phase_config.hpp. The same keys configure
+/// the machine.
+[[nodiscard]] robot::RobotSettings robot_settings_of(const Scene& scene);
 
 }  // namespace sensotwin::twin

@@ -10,6 +10,7 @@
 #include "twin/run/run_pictures.hpp"
 #include "twin/run/run_recorder.hpp"
 #include "twin/run/tick_loop.hpp"
+#include "twin/run/twin_journal.hpp"
 #include "world/free_space.hpp"
 
 namespace sensotwin::twin {
@@ -65,8 +66,10 @@ LinkHealth links_of(const robot::MappingProgram& program) {
 
 Summary run_mapping(const Scene& scene, RunFolder& folder, const SceneRunOptions& options) {
   const double begun_s = wall_s(options);
-  MappingTwin twin(scene);
+  TwinJournal journal(options.journal, scene);
+  MappingTwin twin(scene, journal.on_mapping_wires());
   RunRecorder recorder(folder, options.trace_every);
+  JournallingRecorder journalling(recorder, journal);
   TickLoop loop(options.wall_s);
   const auto may_go_on = [&] {
     return !options.keep_going || options.keep_going({.sim_s = robot::to_s(twin.now()),
@@ -75,7 +78,7 @@ Summary run_mapping(const Scene& scene, RunFolder& folder, const SceneRunOptions
   };
   const robot::Instant limit{robot::from_s(scene.limits.time_limit_s)};
   Summary summary;
-  summary.interrupted = !loop.run(twin, recorder, limit, may_go_on);
+  summary.interrupted = !loop.run(twin, journalling, limit, may_go_on);
   recorder.finish();
   const double looped_s = wall_s(options);
 

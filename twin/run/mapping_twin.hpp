@@ -59,6 +59,12 @@ class MappingTwin {
   robot::MappingProgram program_;
 };
 
+/// Map id that a run of this scene writes into tags.
+[[nodiscard]] std::uint32_t map_id_of(const Scene& scene);
+
+/// What the robot knows of the scene, and the map id of its run.
+[[nodiscard]] robot::RobotSettings robot_settings_of(const Scene& scene, std::uint32_t map_id);
+
 /// The program's configuration as the scene's robot and mission sections say it: the same keys configure the
 /// machine.
 [[nodiscard]] robot::MappingProgramConfig mapping_config_of(const Scene& scene, std::uint32_t map_id);

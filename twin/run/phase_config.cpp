@@ -2,60 +2,38 @@
 #include "twin/run/phase_config.hpp"
 
 #include <algorithm>
-#include <chrono>
 #include <cmath>
 #include <numeric>
 
+#include "robot/settings/program_config.hpp"
 #include "twin/run/machine.hpp"
 #include "world/radio/profiles.hpp"
 
 namespace sensotwin::twin {
 namespace {
 
-std::vector<robot::Epc> codes_of(const Scene& scene) {
-  std::vector<robot::Epc> codes;
-  for (const std::size_t tag : destinations_of(scene)) {
-    codes.push_back(scene.world.radio->tags[tag].epc);
+/// What the robot is told of a tag's code.
+robot::Epc told_code(const Scene& scene, std::size_t tag) {
+  const std::vector<world::CeilingTag>& tags = scene.world.radio->tags;
+  const std::vector<std::string>& exchanged = scene.mission.phase->exchanged;
+  const auto self = std::find(exchanged.begin(), exchanged.end(), tags[tag].name);
+  if (exchanged.size() != 2 || self == exchanged.end()) {
+    return tags[tag].epc;
   }
-  return codes;
+  const std::string& other = self == exchanged.begin() ? exchanged.back() : exchanged.front();
+  return std::find_if(tags.begin(), tags.end(), [&](const auto& t) { return t.name == other; })->epc;
 }
 
-robot::WheelModel wheels_of(const Scene& scene) {
-  robot::WheelModel wheels;
-  wheels.wheel_base_m = scene.robot.base.wheel_base_m;
-  wheels.metres_per_count = robot::kPi * scene.robot.base.wheel_diameter_m / scene.robot.base.counts_per_turn;
-  return wheels;
-}
-
-robot::FuzzyMissionConfig fuzzy_of(const Scene& scene, const world::RadioWorld& radio) {
-  const PhaseMission& mission = *scene.mission.phase;
-  robot::FuzzyMissionConfig config;
-  config.destinations = codes_of(scene);
-  config.sets = mission.sets;
-  config.speed_mps = mission.speed_mps;
-  config.wheel_base_m = scene.robot.base.wheel_base_m;
-  config.top_wheel_mps = scene.robot.base.speed_max_mps;
-  const std::size_t left = radio.antennas[0].at_m.y() >= radio.antennas[1].at_m.y() ? 0 : 1;
-  config.pairing = {.pairing = mission.pairing,
-                    .left_port = static_cast<std::uint16_t>(left + 1),
-                    .right_port = static_cast<std::uint16_t>(2 - left),
-                    .phase_sign = radio.radio.phase_sign,
-                    .pi_ambiguous = radio.radio.pi_ambiguous,
-                    .left_delay_s = radio.antennas[left].cable_delay_s,
-                    .right_delay_s = radio.antennas[1 - left].cable_delay_s};
-  return config;
-}
-
-robot::PhaseReaderModel reader_model_of(const world::RadioWorld& world) {
+robot::UhfReaderSettings reader_of(const world::RadioWorld& world) {
   const world::RadioDescription& radio = world.radio;
-  robot::PhaseReaderModel model;
+  robot::UhfReaderSettings model;
+  model.antennas.clear();
   for (const world::AntennaDescription& antenna : world.antennas) {
     model.antennas.push_back({.at_R_m = antenna.at_m, .cable_delay_s = antenna.cable_delay_s});
   }
   model.monostatic = radio.path == world::PathKind::kMonostatic;
-  model.transmitter_R_m = {0.0, 0.0, world.antennas.front().at_m.z()};
   model.phase_sign = radio.phase_sign;
-  model.pi_ambiguous = radio.pi_ambiguous || radio.pi_flips;
+  model.pi_ambiguous = radio.pi_ambiguous;
   model.centre_hz = std::accumulate(radio.channels_hz.begin(), radio.channels_hz.end(), 0.0) /
                     static_cast<double>(radio.channels_hz.size());
   model.noise.floor_rad = radio.noise_law == world::NoiseLaw::kProportional ? 0.0 : radio.noise_floor_rad;
@@ -67,45 +45,14 @@ robot::PhaseReaderModel reader_model_of(const world::RadioWorld& world) {
   if (radio.place_length_m > 0.0 && radio.place_sigma_rad > 0.0) {
     model.noise.echo_length_m = radio.place_length_m;
   }
+  model.report_every = radio.report_every;
   return model;
-}
-
-robot::CeilingMissionConfig own_of(const Scene& scene, const world::RadioWorld& radio) {
-  const PhaseMission& mission = *scene.mission.phase;
-  robot::CeilingMissionConfig config;
-  config.estimator.reader = reader_model_of(radio);
-  config.estimator.wheels = wheels_of(scene);
-  config.estimator.floor_radius_m = radio.floor_tag_radius_m;
-  config.follower.speed_mps = mission.speed_mps;
-  config.follower.stop_at_corners = mission.slow_corners;
-  config.follower.wheel_base_m = scene.robot.base.wheel_base_m;
-  config.follower.top_wheel_mps = scene.robot.base.speed_max_mps;
-  for (const std::size_t tag : destinations_of(scene)) {
-    config.route.push_back({.epc = radio.tags[tag].epc, .height_m = radio.tags[tag].height_m});
-  }
-  config.path = static_cast<robot::TagPathKind>(mission.path);
-  config.circle_radius_m = mission.circle_radius_m;
-  config.circle_laps = mission.circle_laps;
-  config.faults.on_missing = static_cast<robot::OnTagFault>(mission.on_missing);
-  config.faults.corridor_half_width_m = mission.corridor_half_width_m;
-  return config;
 }
 
 }  // namespace
 
 std::vector<std::size_t> destinations_of(const Scene& scene) {
-  const std::vector<world::CeilingTag>& tags = scene.world.radio->tags;
-  std::vector<std::size_t> order;
-  for (const std::string& name : scene.mission.phase->destinations) {
-    const auto found = std::find_if(tags.begin(), tags.end(),
-                                    [&](const world::CeilingTag& tag) { return tag.name == name; });
-    order.push_back(static_cast<std::size_t>(found - tags.begin()));
-  }
-  if (order.empty()) {
-    order.resize(tags.size());
-    std::iota(order.begin(), order.end(), std::size_t{0});
-  }
-  return order;
+  return robot::destinations_of(robot_settings_of(scene, *scene.world.radio));
 }
 
 world::RadioWorld radio_of(const Scene& scene, const robot::RandomStream& random) {
@@ -123,19 +70,19 @@ world::RadioWorld radio_of(const Scene& scene, const robot::RandomStream& random
   return radio;
 }
 
-robot::PhaseProgramConfig phase_config_of(const Scene& scene, const world::RadioWorld& radio) {
-  robot::PhaseProgramConfig config;
-  config.base = base_config_of(scene);
-  config.wheels = wheels_of(scene);
-  config.uhf_reader.antennas.resize(radio.antennas.size());
-  std::iota(config.uhf_reader.antennas.begin(), config.uhf_reader.antennas.end(), std::uint16_t{1});
-  config.uhf_reader.report_every = static_cast<std::uint16_t>(radio.radio.report_every);
-  if (scene.mission.phase->controller == PhaseController::kFuzzy) {
-    config.mission = fuzzy_of(scene, radio);
-  } else {
-    config.mission = own_of(scene, radio);
+robot::RobotSettings robot_settings_of(const Scene& scene, const world::RadioWorld& radio) {
+  robot::RobotSettings settings = robot_settings_of(scene);
+  settings.uhf_reader = reader_of(radio);
+  settings.floor_tag_radius_m = radio.floor_tag_radius_m;
+  for (std::size_t i = 0; i < radio.tags.size(); ++i) {
+    const world::CeilingTag& tag = radio.tags[i];
+    settings.ceiling_tags.push_back({.name = tag.name, .epc = told_code(scene, i), .height_m = tag.height_m});
   }
-  return config;
+  return settings;
+}
+
+robot::PhaseProgramConfig phase_config_of(const Scene& scene, const world::RadioWorld& radio) {
+  return robot::phase_config_of(robot_settings_of(scene, radio));
 }
 
 }  // namespace sensotwin::twin

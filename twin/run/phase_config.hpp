@@ -6,6 +6,7 @@
 
 #include "robot/base/random.hpp"
 #include "robot/program/phase_program.hpp"
+#include "robot/settings/robot_settings.hpp"
 #include "twin/scene/scene.hpp"
 
 namespace sensotwin::twin {
@@ -17,9 +18,13 @@ namespace sensotwin::twin {
 /// \pre scene.world.radio
 [[nodiscard]] world::RadioWorld radio_of(const Scene& scene, const robot::RandomStream& random);
 
-/// The program's configuration as the scene's robot and mission sections say it. What a calibration tells of
-/// the reader (sign, delays, noise laws) the robot knows; what is a fault (noise_scale) or of the place
-/// (where tags are, shadows) it does not.
+/// What the robot knows of the scene, reader and tags included. What a calibration tells of the reader (sign,
+/// delays, noise laws) the robot knows; what is a fault (noise_scale) or of the place (where tags are,
+/// shadows) it does not.
+/// \param radio  from radio_of()
+[[nodiscard]] robot::RobotSettings robot_settings_of(const Scene& scene, const world::RadioWorld& radio);
+
+/// The program's configuration as the scene's robot and mission sections say it.
 /// \param radio  from radio_of()
 [[nodiscard]] robot::PhaseProgramConfig phase_config_of(const Scene& scene, const world::RadioWorld& radio);
 

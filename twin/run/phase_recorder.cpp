@@ -5,6 +5,7 @@
 #include <Eigen/Geometry>
 #include <cmath>
 
+#include "robot/record/program_events.hpp"
 #include "twin/run/phase_config.hpp"
 
 namespace sensotwin::twin {
@@ -84,12 +85,12 @@ std::string PhaseRecorder::name_of(const robot::Epc& epc) const {
 }
 
 void PhaseRecorder::record_events(PhaseTwin& twin) {
-  for (const robot::PhaseEvent& event : twin.program().take_events()) {
-    events_.add(event.stamp, event.name,
-                {{"tag", event.tag ? name_of(*event.tag) : std::string{}}, {"value", event.value}});
-    result_.tags_reached += event.name == "tag_reached" ? 1 : 0;
-    result_.tags_skipped += event.name == "tag_skipped" ? 1 : 0;
-  }
+  robot::record_events(
+      twin.program(), events_, [this](const robot::Epc& epc) { return name_of(epc); },
+      [this](const robot::PhaseEvent& event) {
+        result_.tags_reached += event.name == "tag_reached" ? 1 : 0;
+        result_.tags_skipped += event.name == "tag_skipped" ? 1 : 0;
+      });
 }
 
 void PhaseRecorder::record_row(const PhaseTwin& twin) {
@@ -158,6 +159,7 @@ void PhaseRecorder::finish() {
 PathResult PhaseRecorder::result(const PhaseTwin& twin) const {
   PathResult result = result_;
   result.rmse_m = rms(first_half_.sum_m2 + second_half_.sum_m2, first_half_.count + second_half_.count);
+  result.rmse_first_half_m = rms(first_half_.sum_m2, first_half_.count);
   result.rmse_second_half_m = rms(second_half_.sum_m2, second_half_.count);
   result.arrived = twin.program().arrived() ? 1 : 0;
   result.minutes = robot::to_s(twin.now()) / 60.0;

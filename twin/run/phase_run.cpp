@@ -5,6 +5,7 @@
 #include "twin/run/phase_recorder.hpp"
 #include "twin/run/phase_twin.hpp"
 #include "twin/run/tick_loop.hpp"
+#include "twin/run/twin_journal.hpp"
 
 namespace sensotwin::twin {
 namespace {
@@ -27,8 +28,10 @@ LinkHealth links_of(const robot::PhaseProgram& program) {
 
 Summary run_phase(const Scene& scene, RunFolder& folder, const SceneRunOptions& options) {
   const double begun_s = wall_s(options);
-  PhaseTwin twin(scene);
+  TwinJournal journal(options.journal, scene);
+  PhaseTwin twin(scene, journal.on_phase_wires());
   PhaseRecorder recorder(scene, folder, options.trace_every, options.pictures, options.tag_log);
+  JournallingRecorder journalling(recorder, journal);
   TickLoop loop(options.wall_s);
   const auto may_go_on = [&] {
     return !options.keep_going || options.keep_going({.sim_s = robot::to_s(twin.now()),
@@ -37,7 +40,7 @@ Summary run_phase(const Scene& scene, RunFolder& folder, const SceneRunOptions& 
   };
   Summary summary;
   const robot::Instant limit{robot::from_s(scene.limits.time_limit_s)};
-  summary.interrupted = !loop.run(twin, recorder, limit, may_go_on);
+  summary.interrupted = !loop.run(twin, journalling, limit, may_go_on);
   recorder.finish();
   const double looped_s = wall_s(options);
 

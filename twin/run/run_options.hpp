@@ -26,6 +26,8 @@ struct SceneRunOptions {
   bool pictures{true};
   /// Missions along ceiling tags: what the UHF reader reports, with the columns of sllurp (tag_log.hpp).
   std::optional<std::filesystem::path> tag_log{};
+  /// All bytes of all wires, for `twin replay`.
+  std::optional<std::filesystem::path> journal{};
   /// Asked a few hundred times a simulated hour, and between pictures; false ends the run in order, with
   /// valid files and no further picture.
   std::function<bool(const RunProgress&)> keep_going;

@@ -1,57 +1,13 @@
 // SPDX-License-Identifier: MIT
 #include "twin/run/run_recorder.hpp"
 
-#include <fmt/format.h>
-
-#include <string>
-#include <string_view>
-#include <variant>
-
-#include "robot/wire/tag_record.hpp"
+#include "robot/record/program_events.hpp"
 
 namespace sensotwin::twin {
 namespace {
 
 /// Ticks between two points of the drawn trajectory. Chosen: 0.105 s, 3 cm at 0.3 m/s.
 constexpr int kPointEvery = 7;
-
-std::string_view name_of(robot::MissionEventKind kind) {
-  switch (kind) {
-    case robot::MissionEventKind::kTileFound:
-      return "tile_found";
-    case robot::MissionEventKind::kTileWritten:
-      return "tile_written";
-    case robot::MissionEventKind::kWriteFailed:
-      return "write_failed";
-    case robot::MissionEventKind::kPassageSeen:
-      return "passage_blocked_by_light";
-    case robot::MissionEventKind::kPassageBumped:
-      return "passage_blocked_by_touch";
-    case robot::MissionEventKind::kTagMissed:
-      return "tag_missed";
-    case robot::MissionEventKind::kTagRecovered:
-      return "tag_recovered";
-    case robot::MissionEventKind::kTagGivenUp:
-      return "tag_given_up";
-    case robot::MissionEventKind::kDetourBegun:
-      return "detour_begun";
-    case robot::MissionEventKind::kDetourDone:
-      return "detour_done";
-    case robot::MissionEventKind::kUnreachable:
-      return "tile_unreachable";
-    case robot::MissionEventKind::kDisplaced:
-      return "displaced";
-    case robot::MissionEventKind::kLost:
-      return "lost";
-    case robot::MissionEventKind::kDone:
-      break;
-  }
-  return "map_complete";
-}
-
-std::string text_of(robot::TagUid uid) {
-  return fmt::format("{:016X}", uid);
-}
 
 }  // namespace
 
@@ -69,29 +25,11 @@ void RunRecorder::record(MappingTwin& twin) {
 }
 
 void RunRecorder::record_events(MappingTwin& twin) {
-  robot::MissionLog& log = twin.program().mission().log();
-  if (!log.empty()) {
-    for (const robot::MissionEvent& event : log.take()) {
-      if (event.kind == robot::MissionEventKind::kTileFound) {
-        found_.push_back({robot::to_s(event.stamp), event.tile, event.tag});
-      }
-      if (event.tag != 0) {
-        events_.add(event.stamp, name_of(event.kind),
-                    {{"column", event.tile.column}, {"row", event.tile.row}, {"tag", text_of(event.tag)}});
-      } else {
-        events_.add(event.stamp, name_of(event.kind),
-                    {{"column", event.tile.column}, {"row", event.tile.row}});
-      }
+  robot::record_events(twin.program(), events_, [this](const robot::MissionEvent& event) {
+    if (event.kind == robot::MissionEventKind::kTileFound) {
+      found_.push_back({robot::to_s(event.stamp), event.tile, event.tag});
     }
-  }
-  for (const robot::ObjectSeen& object : twin.program().take_objects()) {
-    const bool furniture = std::holds_alternative<robot::ObjectRecord>(object.record);
-    events_.add(object.stamp, furniture ? "furniture_seen" : "landmark_seen",
-                {{"tag", text_of(object.tag)},
-                 {"x_m", object.X_MR.p_m.x()},
-                 {"y_m", object.X_MR.p_m.y()},
-                 {"yaw_rad", object.X_MR.yaw_rad}});
-  }
+  });
 }
 
 void RunRecorder::record_bump(const MappingTwin& twin) {

@@ -5,6 +5,8 @@
 #include <array>
 #include <span>
 
+#include "robot/settings/mission_fields.hpp"
+#include "robot/settings/shared_fields.hpp"
 #include "twin/scene/phase_fields.hpp"
 
 namespace sensotwin::twin {
@@ -19,25 +21,11 @@ constexpr Range kFraction{0.0, 1.0};
 // Box2D polygons have at most 8 corners (b2_maxPolygonVertices).
 constexpr Count kPolygon{3, 8};
 
-constexpr std::array<std::string_view, 2> kRoombaWords{"create2", "roomba400"};
-constexpr std::array<std::string_view, 4> kFirmwareWords{"current", "before_3.4.1", "before_3.3.0", "wifi"};
 constexpr std::array<std::string_view, 9> kLandmarkWords{
     "door_opening_side",     "door_fixed_side", "front_door_opening_side",
     "front_door_fixed_side", "window_left",     "window_right",
     "power_outlet",          "closet_left",     "closet_right"};
 constexpr std::array<std::string_view, 1> kNoneWord{"none"};
-constexpr std::array<std::string_view, 2> kPaceWords{"own", "paper"};
-
-/// As robot/mapping spells them, in the order of the enumeration. Made when first asked for, so that it is
-/// there for whoever reads or writes a scene before main, in whatever order static objects are made.
-std::span<const std::string_view> explorer_words() {
-  static const auto kWords = [] {
-    std::array<std::string_view, robot::kExplorerKinds.size()> words;
-    std::transform(robot::kExplorerKinds.begin(), robot::kExplorerKinds.end(), words.begin(), robot::name_of);
-    return words;
-  }();
-  return kWords;
-}
 
 void pose_fields(FieldVisitor& v, Pose2& pose, bool heading_required = false) {
   v.point({"at_m", "x and y in the world, m", true}, pose.p_m, kWhere);
@@ -203,16 +191,9 @@ void world_fields(FieldVisitor& v, Scene& scene) {
 }
 
 void base_fields(FieldVisitor& v, world::RoombaDescription& base) {
-  v.choice({"kind", "model of the machine"}, base.kind, kRoombaWords);
-  v.choice({"firmware", "which errata of the mainboard answer"}, base.firmware, kFirmwareWords);
-  v.number({"radius_m", "of the body, m"}, base.radius_m, {0.05, 0.5});
+  robot::base_fields(v, base);
   v.number({"height_m", "of the body, m"}, base.height_m, {0.02, 1.0});
   v.number({"mass_kg", "of the machine, kg"}, base.mass_kg, {0.1, 50.0});
-  v.number({"wheel_base_m", "between the wheels, m"}, base.wheel_base_m, {0.02, 1.0});
-  v.number({"wheel_diameter_m", "m"}, base.wheel_diameter_m, {0.01, 0.5});
-  v.number({"counts_per_turn", "encoder counts in one turn of a wheel"}, base.counts_per_turn,
-           {1.0, 100000.0});
-  v.number({"speed_max_mps", "of a wheel, m/s"}, base.speed_max_mps, {0.01, 5.0});
   v.number({"wheel_acceleration_mps2", "of a wheel, m/s^2"}, base.wheel_acceleration_mps2, {0.01, 100.0});
   v.number({"wheel_diameter_sigma", "1 sigma of each wheel's diameter, as a fraction"},
            base.wheel_diameter_sigma, {0.0, 0.2});
@@ -247,40 +228,6 @@ void robot_fields(FieldVisitor& v, Scene& scene) {
     v.angle({"resolution_deg", "smallest step it can tell, degrees"}, robot.compass.resolution_rad,
             {0.0, 90.0});
   });
-}
-
-void pace_fields(FieldVisitor& v, Pace& pace) {
-  v.number({"tile_s", "least time from tile to tile, s; 0: as fast as it goes"}, pace.tile_s, {0.0, 3600.0});
-  v.number({"tag_s", "time that a new tag costs, s; 0: as fast as the reader goes"}, pace.tag_s,
-           {0.0, 3600.0});
-  v.number({"speed_mps", "driving, m/s"}, pace.speed_mps, {0.01, 0.5});
-  v.angle({"turn_degps", "turning on the spot, degrees/s"}, pace.turn_radps, {1.0, 240.0});
-}
-
-void mission_fields(FieldVisitor& v, Mission& mission) {
-  const std::array<FieldVisitor::Alternative, 2> missions{{
-      {"map", [&] { mission.map.emplace(); },
-       [&] {
-         v.section({"map", "SensoBot: map the carpet"}, [&] {
-           v.choice({"explorer", "order in which tiles are visited"}, mission.map->explorer,
-                    explorer_words());
-           v.section_or_word(
-               {"pace", "how fast it works: own, paper (3.4 s a tile, 4.4 s a new tag), or figures"},
-               kPaceWords, std::nullopt,
-               [&](std::size_t word) { mission.map->pace = word == 1 ? kPaperPace : Pace{}; },
-               [&] { pace_fields(v, mission.map->pace); });
-         });
-       }},
-      {"phase", [&] { mission.phase.emplace(); },
-       [&] {
-         v.section({"phase", "Gueaieb & Miah: along ceiling tags by phase difference"},
-                   [&] { phase_mission_fields(v, *mission.phase); });
-       }},
-  }};
-  v.one_of(mission.map     ? std::optional<std::size_t>{0}
-           : mission.phase ? std::optional<std::size_t>{1}
-                           : std::nullopt,
-           missions);
 }
 
 void bounds_fields(FieldVisitor& v, std::optional<double>& min, std::optional<double>& max) {
@@ -338,7 +285,7 @@ void visit_fields(FieldVisitor& v, Scene& scene) {
     v.whole({"steps_per_tick", "physics steps in one tick of 15 ms"}, scene.physics.steps_per_tick, 1, 100);
   });
   v.section({"mission", "what the robot is to do; by default, map the carpet"},
-            [&] { mission_fields(v, scene.mission); });
+            [&] { robot::mission_fields(v, scene.mission); });
   expect_fields(v, scene.expect);
   v.number({"time_limit_s", "the run ends undone after this time, s"}, scene.limits.time_limit_s,
            {0.0, 1.0e7, true});

@@ -1,15 +1,12 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <string>
+#include "robot/config/number_text.hpp"
 
+/// The machine's, under the twin's name.
 namespace sensotwin::twin {
 
-/// The fewest digits that read back as the same number. \pre finite
-[[nodiscard]] std::string number_text(double value);
-
-/// The degrees, with the fewest digits, that the reader turns into these radians (the nearest when none
-/// does).
-[[nodiscard]] double degrees_for(double rad);
+using robot::degrees_for;
+using robot::number_text;
 
 }  // namespace sensotwin::twin

@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <map>
 
-#include "robot/phase/fuzzy_controller.hpp"
+#include "robot/settings/mission_checks.hpp"
 #include "twin/scene/nearest_name.hpp"
 #include "twin/scene/scene_checks.hpp"
 
@@ -48,6 +47,36 @@ void SceneChecks::radio() {
   }
 }
 
+void SceneChecks::exchanged_tags(const std::vector<std::string>& names) {
+  const std::vector<std::string>& exchanged = scene_.mission.phase->exchanged;
+  if (exchanged.size() == 1 || (exchanged.size() == 2 && exchanged[0] == exchanged[1])) {
+    add("mission.phase.exchanged", "names one tag", "expected none, or two different ones");
+  }
+  for (std::size_t i = 0; i < exchanged.size(); ++i) {
+    if (std::find(names.begin(), names.end(), exchanged[i]) == names.end()) {
+      add(fmt::format("mission.phase.exchanged[{}]", i), fmt::format("there is no tag '{}'", exchanged[i]),
+          "expected the name of one of world.ceiling_tags" + did_you_mean(exchanged[i], names));
+    }
+  }
+}
+
+void SceneChecks::reader_faults() {
+  if (!scene_.world.radio) {
+    return;
+  }
+  const world::RadioWorld& radio = *scene_.world.radio;
+  const std::vector<robot::Vec2>& silent_s = radio.faults.silent_s;
+  for (std::size_t i = 0; i < silent_s.size(); ++i) {
+    if (silent_s[i].x() >= silent_s[i].y()) {
+      add(fmt::format("robot.uhf_reader.faults.silent_s[{}]", i),
+          fmt::format("is from {} s to {} s", silent_s[i].x(), silent_s[i].y()), "expected [from, to]");
+    }
+  }
+  if (radio.faults.cables_swapped && radio.antennas.size() < 2) {
+    add("robot.uhf_reader.faults.cables", "one antenna has one cable", "expected two antennas or more");
+  }
+}
+
 void SceneChecks::phase_mission() {
   if (!scene_.mission.phase) {
     return;
@@ -65,35 +94,13 @@ void SceneChecks::phase_mission() {
   for (const world::CeilingTag& tag : radio.tags) {
     names.emplace_back(tag.name);
   }
-  for (std::size_t i = 0; i < mission.destinations.size(); ++i) {
-    const std::string& name = mission.destinations[i];
-    if (std::find(names.begin(), names.end(), name) == names.end()) {
-      add(fmt::format("mission.phase.destinations[{}]", i), fmt::format("there is no tag '{}'", name),
-          "expected the name of one of world.ceiling_tags" + did_you_mean(name, names));
-    } else if (i > 0 && mission.destinations[i - 1] == name) {
-      add(fmt::format("mission.phase.destinations[{}]", i), fmt::format("'{}' comes twice in a row", name),
-          "expected another tag between");
+  for (const robot::MissionProblem& problem :
+       robot::problems_of(mission, names, radio.antennas.size(), "world.ceiling_tags")) {
+    if (sound(problem.path)) {
+      add(problem.path, problem.what, problem.hint);
     }
   }
-  if (mission.controller == PhaseController::kFuzzy) {
-    if (radio.antennas.size() != 2) {
-      add("robot.uhf_reader.antennas", fmt::format("there are {}", radio.antennas.size()),
-          "expected two for the fuzzy controller");
-    }
-    if (mission.path != PhasePath::kPolyline) {
-      add("mission.phase.path", "the fuzzy controller drives polylines only", "expected controller: own");
-    }
-    if (const auto problem = robot::problem_of(mission.sets); problem && sound("mission.phase.sets")) {
-      add("mission.phase.sets", *problem, "expected sets as in docs/phase.md");
-    }
-  } else if (radio.antennas.size() > 4) {
-    add("robot.uhf_reader.antennas", fmt::format("there are {}", radio.antennas.size()),
-        "expected at most four, the ports of an R420");
-  }
-  const std::size_t stops = mission.destinations.empty() ? radio.tags.size() : mission.destinations.size();
-  if (mission.path == PhasePath::kCircle && stops < 3) {
-    add("mission.phase.path", "three tags make a circle", "expected three destinations or more");
-  }
+  exchanged_tags(names);
 }
 
 }  // namespace sensotwin::twin

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 
+#include "robot/settings/shared_fields.hpp"
 #include "world/radio/profiles.hpp"
 
 namespace sensotwin::twin {
@@ -17,12 +18,8 @@ constexpr Range kDecibel{-200.0, 200.0};
 constexpr std::array<std::string_view, 2> kProfileWords{"paper", "impinj_r420"};
 constexpr std::array<std::string_view, 2> kPathKindWords{"bistatic", "monostatic"};
 constexpr std::array<std::string_view, 3> kNoiseLawWords{"proportional", "offset", "rssi"};
-constexpr std::array<std::string_view, 2> kControllerWords{"fuzzy", "own"};
-constexpr std::array<std::string_view, 2> kSetsWords{"reproduction", "tuned"};
-constexpr std::array<std::string_view, 3> kPairingWords{"same_instant", "latest", "interpolated"};
-constexpr std::array<std::string_view, 4> kPathWords{"polyline", "smooth", "circle", "circle_about"};
-constexpr std::array<std::string_view, 2> kCornerWords{"constant", "slow"};
-constexpr std::array<std::string_view, 3> kMissingWords{"search", "skip", "stop"};
+constexpr std::array<std::string_view, 2> kMountWords{"pair", "roof"};
+constexpr std::array<std::string_view, 2> kCableWords{"as_given", "swapped"};
 
 /// A profile as scenes have it: its hop table and its slots are made when the run begins, from its seed and
 /// its antennas, unless the scene gives them.
@@ -34,14 +31,6 @@ world::RadioDescription profile(std::size_t index) {
   radio.channels_hz.clear();
   radio.slots_s.clear();
   return radio;
-}
-
-void xyz(FieldVisitor& v, const Field& field, Eigen::Vector3d& value, const Range& range) {
-  std::vector<double> numbers{value.x(), value.y(), value.z()};
-  v.numbers(field, numbers, range, {3, 3});
-  if (numbers.size() == 3) {
-    value = {numbers[0], numbers[1], numbers[2]};
-  }
 }
 
 void tag_fields(FieldVisitor& v, world::CeilingTag& tag) {
@@ -138,34 +127,13 @@ void radio_fields(FieldVisitor& v, world::RadioDescription& radio) {
   air_fields(v, radio);
 }
 
-void trapezoid(FieldVisitor& v, const Field& field, robot::Trapezoid& set) {
-  std::vector<double> corners{set.left_foot, set.left_shoulder, set.right_shoulder, set.right_foot};
-  v.numbers(field, corners, {-100.0, 100.0}, {4, 4});
-  if (corners.size() == 4) {
-    set = {corners[0], corners[1], corners[2], corners[3]};
-  }
-}
-
-void sets_fields(FieldVisitor& v, robot::FuzzySets& sets) {
-  std::optional<double> zero_rad;
-  std::optional<double> turn_radps;
-  v.maybe({"z_rad", "zero is a triangle of this half width; the others end in it, rad"}, zero_rad,
-          [&](double& value) {
-            v.number({"z_rad", "half width of zero, rad"}, value, {0.001, 3.14});
-          });
-  v.maybe({"w_radps", "turn rate where the controller saturates, rad/s"}, turn_radps, [&](double& value) {
-    v.number({"w_radps", "turn rate at saturation, rad/s"}, value, {0.001, 100.0});
-  });
-  if (zero_rad || turn_radps) {
-    sets = robot::fuzzy_sets(zero_rad.value_or(sets.zero_rad.right_foot),
-                             turn_radps.value_or(sets.straight_radps.right_foot));
-  }
-  trapezoid(v, {"negative_rad", "feet and shoulders, rad"}, sets.negative_rad);
-  trapezoid(v, {"zero_rad", "feet and shoulders, rad"}, sets.zero_rad);
-  trapezoid(v, {"positive_rad", "feet and shoulders, rad"}, sets.positive_rad);
-  trapezoid(v, {"clockwise_radps", "feet and shoulders, rad/s"}, sets.clockwise_radps);
-  trapezoid(v, {"straight_radps", "feet and shoulders, rad/s"}, sets.straight_radps);
-  trapezoid(v, {"counter_clockwise_radps", "feet and shoulders, rad/s"}, sets.counter_clockwise_radps);
+void reader_fault_fields(FieldVisitor& v, world::ReaderFaults& faults) {
+  v.points({"silent_s", "[from, to]: hears nothing meanwhile, s of the run"}, faults.silent_s, {0.0, 1e6},
+           {0, 1000});
+  v.number({"lost_share", "of reads that never arrive"}, faults.lost_share, {0.0, 1.0});
+  std::size_t cables = faults.cables_swapped ? 1 : 0;
+  v.choice({"cables", "of ports 1 and 2"}, cables, kCableWords);
+  faults.cables_swapped = cables == 1;
 }
 
 /// Makes the optional radio of a world there.
@@ -196,49 +164,23 @@ void uhf_reader_fields(FieldVisitor& v, world::WorldDescription& world) {
   const Field reader{"uhf_reader", "reads the tags under the ceiling"};
   v.maybe(reader, world.radio.has_value(), there(world), [&] {
     v.section(reader, [&] {
-      v.list({"antennas", "port 1 first; else two, 0.08 m to the left and to the right"},
+      v.choice({"mount", "of antennas that are not listed: two look up, or two ahead and two behind"},
+               world.radio->mounting, kMountWords);
+      v.list({"antennas", "port 1 first; else as mounted"},
              world.radio->antennas, [&](world::AntennaDescription& antenna) {
-               xyz(v, {"at_m", "forward, left, up from the floor below the middle, m"}, antenna.at_m,
+               robot::xyz(v, {"at_m", "forward, left, up from the floor below the middle, m"}, antenna.at_m,
                    {-1.0, 1.0});
-               xyz(v, {"boresight", "direction in which it hears best"}, antenna.boresight, {-1.0, 1.0});
+               robot::xyz(v, {"boresight", "direction in which it hears best"}, antenna.boresight, {-1.0, 1.0});
                v.number({"gain_dbi", "dBi"}, antenna.gain_dbi, {-20.0, 30.0});
                v.angle({"beam_width_deg", "between the directions of half power, degrees"},
                        antenna.beam_width_rad, {1.0, 179.0});
                v.number({"cable_delay_s", "reader and cable, counted once, s"}, antenna.cable_delay_s,
                         {0.0, 1e-6});
              });
+      v.section({"faults", "of reader and cables; the robot is not told"},
+                [&] { reader_fault_fields(v, world.radio->faults); });
     });
   });
-}
-
-void phase_mission_fields(FieldVisitor& v, PhaseMission& mission) {
-  v.choice({"controller", "the paper's fuzzy one, or our own estimator"}, mission.controller,
-           kControllerWords);
-  v.texts({"destinations", "names of tags in order, each as often as wanted; empty: all as listed"},
-          mission.destinations, {0, 1000});
-  v.number({"speed_mps", "driving, m/s"}, mission.speed_mps, {0.01, 0.45});
-  v.section_or_word(
-      {"sets", "fuzzy: reproduction (the paper's figures), tuned, or figures"}, kSetsWords,
-      mission.sets == robot::kReproductionSets ? std::optional<std::size_t>{0}
-      : mission.sets == robot::kTunedSets      ? std::optional<std::size_t>{1}
-                                               : std::nullopt,
-      [&](std::size_t word) { mission.sets = word == 0 ? robot::kReproductionSets : robot::kTunedSets; },
-      [&] { sets_fields(v, mission.sets); });
-  v.choice({"pairing", "fuzzy: how readings of two antennas become one difference"}, mission.pairing,
-           kPairingWords);
-  v.choice({"path", "own: how it runs through the tags' projections"}, mission.path, kPathWords);
-  std::size_t corners = mission.slow_corners ? 1 : 0;
-  v.choice({"corners", "own: at constant speed, or braking and turning on the spot"}, corners, kCornerWords);
-  mission.slow_corners = corners == 1;
-  v.number({"circle_radius_m", "own, circle_about the first tag: its radius, m"}, mission.circle_radius_m,
-           {0.2, 100.0});
-  v.number({"circle_laps", "own, circle_about: how often round"}, mission.circle_laps, {0.1, 1000.0});
-  v.choice({"on_missing", "own: what to do about a tag that is not heard"}, mission.on_missing,
-           kMissingWords);
-  v.maybe({"corridor_half_width_m", "own: stops rather than be further from its path, m"},
-          mission.corridor_half_width_m, [&](double& value) {
-            v.number({"corridor_half_width_m", "m"}, value, {0.01, 100.0});
-          });
 }
 
 void complete_radio(Scene& scene) {
@@ -255,7 +197,8 @@ void complete_radio(Scene& scene) {
     }
   }
   if (radio.antennas.empty()) {
-    radio.antennas = {{.at_m = {0.0, 0.08, 0.1}}, {.at_m = {0.0, -0.08, 0.1}}};
+    radio.antennas = radio.mounting == world::AntennaMounting::kRoof ? world::roof_of_antennas()
+                                                                      : world::pair_of_antennas();
   }
 }
 

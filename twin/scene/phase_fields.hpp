@@ -12,8 +12,6 @@ namespace sensotwin::twin {
 void radio_world_fields(FieldVisitor& v, world::WorldDescription& world);
 /// In `robot`: uhf_reader.
 void uhf_reader_fields(FieldVisitor& v, world::WorldDescription& world);
-/// `mission.phase`.
-void phase_mission_fields(FieldVisitor& v, PhaseMission& mission);
 
 /// What a scene leaves to the twin: codes of tags, antennas. Nothing when there is no radio.
 void complete_radio(Scene& scene);

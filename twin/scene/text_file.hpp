@@ -1,15 +1,11 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <filesystem>
-#include <string>
+#include "robot/config/text_file.hpp"
 
+/// The machine's, under the twin's name.
 namespace sensotwin::twin {
 
-/// The whole of a file.
-/// \param what  for messages: "scene", "map", "picture"
-/// \throws SceneError  kExitMissing: it is not there or cannot be read; kExitInvalid: it is a folder or
-/// larger than 1 GiB
-[[nodiscard]] std::string read_text_file(const std::filesystem::path& file, const std::string& what);
+using robot::read_text_file;
 
 }  // namespace sensotwin::twin

@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <filesystem>
+#include <functional>
+#include <iosfwd>
+#include <optional>
+#include <string>
+
+#include "robot/output/exit_codes.hpp"
+
+/// What can be asked of `sensobot`. Each deed throws LoadError and OutputError.
+namespace sensotwin::robot {
+
+/// What main knows of the process and hands down.
+struct SensobotEnvironment {
+  std::ostream& out;                 ///< stdout: results
+  std::ostream& err;                 ///< stderr: what is said on the way
+  std::function<std::string()> utc;  ///< now, as "20260131T235959Z"
+};
+
+struct RunCommandOptions {
+  std::filesystem::path robot;
+  std::optional<std::filesystem::path> devices{};  ///< instead of the file's own section
+  std::optional<std::filesystem::path> out{};
+  bool force{false};
+  std::optional<std::filesystem::path> journal{};  ///< none: in the run's folder
+  bool no_journal{false};
+  double rate{1.0};
+  double wait_s{10.0};
+  double patience_s{60.0};
+  bool json{false};
+  bool quiet{false};
+};
+[[nodiscard]] ExitCode run_command(const RunCommandOptions& options, const SensobotEnvironment& environment);
+
+struct CheckCommandOptions {
+  std::filesystem::path robot;
+  std::optional<std::filesystem::path> devices{};
+  double seconds{2.0};  ///< of listening to each device
+  bool json{false};
+};
+[[nodiscard]] ExitCode check_command(const CheckCommandOptions& options,
+                                     const SensobotEnvironment& environment);
+
+struct ReplayCommandOptions {
+  std::filesystem::path journal;
+  bool json{false};
+};
+[[nodiscard]] ExitCode replay_command(const ReplayCommandOptions& options,
+                                      const SensobotEnvironment& environment);
+
+struct ShowCommandOptions {
+  std::filesystem::path robot;
+  std::optional<std::filesystem::path> devices{};
+};
+[[nodiscard]] ExitCode show_command(const ShowCommandOptions& options,
+                                    const SensobotEnvironment& environment);
+
+}  // namespace sensotwin::robot

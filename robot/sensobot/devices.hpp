@@ -1,0 +1,59 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstddef>
+#include <functional>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "robot/hal/no_device.hpp"
+#include "robot/ports/card_port.hpp"
+#include "robot/ports/card_session.hpp"
+#include "robot/ports/port.hpp"
+#include "robot/settings/robot_file.hpp"
+#include "robot/settings/robot_program.hpp"
+
+namespace sensotwin::robot {
+
+/// A device of the robot file, and how it is now.
+struct DeviceState {
+  std::string name;     ///< "the Roomba"
+  std::string address;  ///< as the file has it
+  bool up{false};
+  std::string trouble;  ///< why it is not up, for people
+  std::string remedy;   ///< what to try then
+};
+
+/// The ports of a robot file, open or waiting for their devices.
+class Devices {
+ public:
+  /// Opens nothing yet but the card readers, whose threads begin at once: the guardian is forked before.
+  /// \param on_base_open  told of the base's descriptor each time that it is open
+  Devices(const RobotFile& robot, const CardService& service, std::function<void(int)> on_base_open);
+
+  /// Once a step, before the program. \param now  never earlier than before
+  void keep(Instant now);
+  [[nodiscard]] RobotLinks links();
+  /// Of those that the file names, in its order.
+  [[nodiscard]] std::vector<DeviceState> states() const;
+
+ private:
+  struct Slot {
+    std::string name;
+    std::string address;
+    std::string remedy;
+    std::unique_ptr<Port> port;      ///< or
+    std::unique_ptr<CardPort> card;  ///< either
+  };
+
+  ByteLink& port_or_none(const char* name);
+  CardLink& card_or_none(const char* name);
+
+  std::vector<Slot> slots_;
+  NoByteLink no_port_;
+  NoCardLink no_card_;
+};
+
+}  // namespace sensotwin::robot

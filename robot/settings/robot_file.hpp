@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "robot/config/problem.hpp"
+#include "robot/settings/robot_settings.hpp"
+
+namespace sensotwin::robot {
+
+/// Where the devices are plugged in, as `twin serve` writes it too (devices.yaml). What is absent is not
+/// there; check_robot() says what a mission cannot do without.
+struct DeviceAddresses {
+  std::optional<std::string> base;        ///< serial device of the Roomba
+  std::optional<std::string> sensors;     ///< serial device of the sensor board
+  std::optional<std::string> llrp;        ///< host:port of the UHF reader
+  std::vector<std::string> card_readers;  ///< PC/SC names: under the robot, then ahead of it
+  int sensors_baud{4800};                 ///< NMEA 0183
+};
+
+/// A robot file: one machine, its place and its task. Field order here is the order in the YAML.
+struct RobotFile {
+  int version{1};    ///< of the file format; the reader refuses others
+  std::string file;  ///< as the user spelt it
+  DeviceAddresses devices;
+  RobotSettings settings;
+  bool map_id_given{false};
+  double time_limit_s{20700.0};  ///< the run ends undone after this. As of scenes
+};
+
+/// \param devices  a file to take the section `devices:` from, instead of what stands there
+/// \throws LoadError
+[[nodiscard]] RobotFile read_robot_file(const std::filesystem::path& file,
+                                        const std::optional<std::filesystem::path>& devices = {});
+/// \param file  for messages, and where relative paths begin
+[[nodiscard]] RobotFile read_robot_text(const std::string& text, const std::filesystem::path& file,
+                                        const std::optional<std::filesystem::path>& devices = {});
+
+/// The file with all defaults; reads back to the same.
+[[nodiscard]] std::string robot_yaml(const RobotFile& robot);
+
+}  // namespace sensotwin::robot

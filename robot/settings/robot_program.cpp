@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: MIT
+#include "robot/settings/robot_program.hpp"
+
+#include "robot/mapping/explorer_kind.hpp"
+#include "robot/settings/program_config.hpp"
+
+namespace sensotwin::robot {
+
+RobotProgram::RobotProgram(const RobotLinks& links, const RobotSettings& settings) {
+  if (settings.mission.phase) {
+    phase_.emplace(PhaseLinks{links.base, links.uhf_reader, links.floor_reader, links.sensors},
+                   phase_config_of(settings));
+  } else {
+    mapping_.emplace(MappingLinks{links.base, links.floor_reader, links.forward_reader, links.sensors},
+                     mapping_config_of(settings),
+                     make_explorer(settings.mission.map->explorer, move_cost_of(settings)));
+  }
+}
+
+void RobotProgram::step(Instant now) {
+  phase_ ? phase_->step(now) : mapping_->step(now);
+}
+
+void RobotProgram::shut_down() {
+  phase_ ? phase_->shut_down() : mapping_->shut_down();
+}
+
+bool RobotProgram::done() const {
+  return phase_ ? phase_->done() : mapping_->done();
+}
+
+const Roomba& RobotProgram::base() const {
+  return phase_ ? phase_->base() : mapping_->base();
+}
+
+const TagReader& RobotProgram::floor_reader() const {
+  return phase_ ? phase_->floor_reader() : mapping_->floor_reader();
+}
+
+const Compass& RobotProgram::compass() const {
+  return phase_ ? phase_->compass() : mapping_->compass();
+}
+
+const WheelSpeeds& RobotProgram::wheels() const {
+  return phase_ ? phase_->wheels() : mapping_->wheels();
+}
+
+}  // namespace sensotwin::robot

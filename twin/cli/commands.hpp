@@ -43,6 +43,7 @@ struct ServeOptions {
   std::optional<std::string> llrp{};           ///< host:port; none: 127.0.0.1:5084, or any free port
   std::string vpcd{"127.0.0.1:35963"};         ///< where Debian's vpcd listens
   bool cards{true};
+  bool wait_for_cards{false};
   bool strict_baud{false};
   std::optional<double> end_after_sim_s{};
 };

@@ -32,8 +32,11 @@ void EmulatedUhfReader::step(robot::Instant now) {
     disconnect();
   }
   if (connected_ && next_keepalive_ && *next_keepalive_ <= now) {
-    put(llrp::Keepalive{}, next_id_++);
-    ++tally_.keepalives;
+    // One more behind half a megabyte that nobody takes would keep nothing alive.
+    if (out_bytes_ <= settings_.buffer_bytes) {
+      put(llrp::Keepalive{}, next_id_++);
+      ++tally_.keepalives;
+    }
     next_keepalive_ = now + std::chrono::milliseconds{config_.keepalive->period_ms};
   }
   link_.step(now);

@@ -13,13 +13,14 @@ namespace {
 using robot::Bytes;
 using robot::ByteView;
 
-constexpr std::uint8_t kPowerOff = 0;
-constexpr std::uint8_t kPowerOn = 1;
-constexpr std::uint8_t kReset = 2;
 constexpr std::uint8_t kTellAtr = 4;
 
 /// Chosen: someone who starts pcscd later waits no longer.
 constexpr double kRedial_s = 1.0;
+/// Chosen: five of six tags come while somebody waits for them, and listing the readers stays bearable.
+constexpr double kHoldAnswer_s = 1.0;
+/// What pcscd may take to notice a tag. Chosen: two looks and some.
+constexpr double kNoticed_s = 1.5;
 /// Seven of pcscd's looks (0.4 s each) without one for us.
 constexpr double kSilent_s = 3.0;
 /// A message has a length of 16 bits, and we read no second one before the first is answered.
@@ -41,28 +42,70 @@ void CardWire::do_watch(std::vector<pollfd>& handles) const {
     const auto events = static_cast<short>(out_.empty() ? POLLIN : POLLIN | POLLOUT);
     handles.push_back({.fd = socket_.get(), .events = events, .revents = 0});
   }
+  if (left_) {
+    handles.push_back({.fd = left_.get(), .events = POLLIN, .revents = 0});
+  }
 }
 
 void CardWire::do_pump(double wall_s) {
-  look_at_field();
-  // Once without a tag too: to learn whether anybody asks there.
-  if (!socket_ && (present_ || peer_ != Peer::kServing) && wall_s >= dial_again_s_) {
+  look_at_field(wall_s);
+  see_whether_noticed();
+  if (!socket_ && wall_s >= dial_again_s_) {
     dial(wall_s);
   }
   if (socket_) {
     listen(wall_s);
   }
+  if (asked_) {
+    tell_atr(wall_s);
+  }
 }
 
-void CardWire::look_at_field() {
+void CardWire::tell_atr(double wall_s) {
+  if (present_) {
+    asked_ = false;
+    told_in_ = true;
+    answer(icode_sli_atr());
+  } else if (wall_s - asked_s_ >= kHoldAnswer_s) {
+    hang_up();
+  }
+}
+
+void CardWire::look_at_field(double wall_s) {
   const bool present = reader_.presence() == robot::CardPresence::kPresent;
   if (exchange_) {
     finish_exchange();
   }
   if (present_ && !present && told_in_) {
-    hang_up();
+    take_leave(wall_s);
+  }
+  if (present_ != present) {
+    changed_s_ = wall_s;
   }
   present_ = present;
+}
+
+/// Closes one way only: vpcd sees the end when it looks, ends its side too, and so tells us that it has seen.
+void CardWire::take_leave(double wall_s) {
+  ::shutdown(socket_.get(), SHUT_WR);
+  left_ = std::move(socket_);
+  hang_up();
+  dial_again_s_ = wall_s;
+}
+
+void CardWire::see_whether_noticed() {
+  std::array<std::uint8_t, 4096> chunk;  // NOLINT(cppcoreguidelines-pro-type-member-init)
+  if (left_) {
+    const ssize_t size = ::recv(left_.get(), chunk.data(), chunk.size(), 0);
+    if (size == 0 || (size < 0 && errno != EAGAIN && errno != EINTR)) {
+      left_.reset();
+    }
+  }
+}
+
+bool CardWire::is_settled(double wall_s) const {
+  const bool known = present_ ? told_in_ : !left_;
+  return known || peer_ != Peer::kServing || wall_s - changed_s_ > kNoticed_s;
 }
 
 void CardWire::dial(double wall_s) {
@@ -81,7 +124,7 @@ void CardWire::hang_up() {
   socket_.reset();
   in_.clear();
   out_.clear();
-  heard_ = told_in_ = exchange_ = false;
+  heard_ = told_in_ = exchange_ = asked_ = false;
 }
 
 void CardWire::listen(double wall_s) {
@@ -97,12 +140,11 @@ void CardWire::listen(double wall_s) {
       hang_up();
       return;
     }
-    if (!heard_) {
-      heard_ = true;
-      ++tally_.clients;
-      peer_ = Peer::kServing;
-      dial_again_s_ = wall_s;  // once it has taken us up it will again
-    }
+    heard_ = true;
+    tally_.clients += peer_ == Peer::kServing ? 0 : 1;
+    peer_ = Peer::kServing;
+    dial_again_s_ = wall_s;  // once it has taken us up it will again
+    asked_s_ = wall_s;
     tally_.bytes_in += static_cast<std::size_t>(size);
     in_.insert(in_.end(), chunk.begin(), chunk.begin() + size);
     while (socket_ && take_message()) {
@@ -132,21 +174,10 @@ bool CardWire::take_message() {
 
 void CardWire::obey(ByteView message) {
   if (message.size() == 1) {
-    switch (message[0]) {
-      case kTellAtr:
-        if (present_) {
-          told_in_ = true;
-          answer(icode_sli_atr());
-        } else {
-          hang_up();
-        }
-        return;
-      case kPowerOff:
-      case kPowerOn:
-      case kReset:
-      default:
-        return;  // a tag in the field is powered, and has no state to lose; none of these is answered
-    }
+    // A tag in the field is powered, and has no state to lose: power off, power on and reset change nothing,
+    // and none of them is answered.
+    asked_ = asked_ || message[0] == kTellAtr;
+    return;
   }
   if (message.empty()) {
     return;

@@ -18,10 +18,11 @@ namespace sensotwin::twin {
 ///     u16 length | bytes        both ways, big-endian; length 1 and 0, 1, 2, 4: power off, power on, reset,
 ///                               tell the ATR; anything else is a command APDU
 ///
-/// vpcd asks for the ATR every 0.4 s to see whether the card is still there, and takes an answer of no bytes
-/// for a reason to wait for ever (vpcd 3.3). So the card's absence is told by ending the connection, and a
-/// connection stands while there is a tag. One that vpcd has not taken up yet is kept even when the tag has
-/// gone: vpcd takes one at each look, and a queue of dead ones would hide the next tag for seconds.
+/// pcscd has vpcd ask for the ATR every 0.4 s, to see whether a card is there. vpcd takes an answer of no
+/// bytes for a reason to wait for ever (vpcd 3.3), so a card's absence is told by ending the connection. And
+/// as a tag under a driving robot is there for half a second, an empty slot does not say so at once: it holds
+/// its answer back for a second, so that most tags are seen the moment they come, as by a reader that reports
+/// them by itself. A call that needs the empty reader waits as long.
 class CardWire final : public Wire {
  public:
   /// What is known of vpcd at this port.
@@ -39,18 +40,23 @@ class CardWire final : public Wire {
   [[nodiscard]] const Endpoint& endpoint() const { return vpcd_; }
   /// vpcd has been told that there is a tag.
   [[nodiscard]] bool card_is_in() const { return told_in_; }
+  /// pcscd knows what is in the field now, or nobody asks, or it has had time enough.
+  [[nodiscard]] bool is_settled(double wall_s) const;
 
  private:
   void do_watch(std::vector<pollfd>& handles) const override;
   void do_pump(double wall_s) override;
   [[nodiscard]] bool do_has_client() const override { return peer_ == Peer::kServing; }
 
-  void look_at_field();
+  void look_at_field(double wall_s);
   void dial(double wall_s);
   void hang_up();
+  void take_leave(double wall_s);
+  void see_whether_noticed();
   void listen(double wall_s);
   /// \returns whether the whole of a message has come and was dealt with
   [[nodiscard]] bool take_message();
+  void tell_atr(double wall_s);
   void obey(robot::ByteView message);
   void answer(robot::ByteView bytes);
   void finish_exchange();
@@ -59,11 +65,15 @@ class CardWire final : public Wire {
   robot::CardLink& reader_;
   Endpoint vpcd_;
   Handle socket_;
+  Handle left_;  ///< closed by us for a tag that has gone, until vpcd has seen it
   Peer peer_{Peer::kUnknown};
   bool present_{false};   ///< a tag is in the field
   bool heard_{false};     ///< vpcd has asked on this connection
   bool told_in_{false};   ///< and was told the ATR
   bool exchange_{false};  ///< an APDU is with the tag
+  bool asked_{false};     ///< for an ATR, and not answered yet
+  double asked_s_{0.0};
+  double changed_s_{0.0};  ///< when a tag came or went
   double dialled_s_{0.0};
   double dial_again_s_{0.0};
   robot::Bytes in_;

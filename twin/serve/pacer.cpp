@@ -20,8 +20,12 @@ double Pacer::wait_s(double wall_s, bool client_follows) const {
   if (factor_) {
     return std::max(0.0, due_s_ - wall_s);
   }
-  const double due_s = last_s_ + (client_follows ? kTick_s / kFastestFactor : kTick_s);
+  const double due_s = last_s_ + (client_follows ? kShortestTick_s : kTick_s);
   return std::max(0.0, due_s - wall_s);
+}
+
+void Pacer::stand_still(double wall_s) {
+  due_s_ = std::max(due_s_, wall_s);
 }
 
 void Pacer::tick(double wall_s) {

@@ -18,9 +18,11 @@ class Pacer {
 
   /// Real seconds until the next tick; 0 when it is due.
   ///
-  /// Without a factor: real time while there is no client or while it lags, else at once, at most
-  /// kFastestFactor. \param client_follows  the client has read all it was sent
+  /// Without a factor: real time while there is no client or while it lags, else at once, with
+  /// kShortestTick_s between. \param client_follows  the client has read all it was sent
   [[nodiscard]] double wait_s(double wall_s, bool client_follows) const;
+  /// No tick is made for a reason of our own: what is waited for is not made up.
+  void stand_still(double wall_s);
   /// A tick was made.
   void tick(double wall_s);
 
@@ -30,8 +32,9 @@ class Pacer {
   /// Real time that was given up because it could not be caught up.
   [[nodiscard]] double given_up_s() const { return given_up_s_; }
 
-  /// Chosen: 0.1 ms of real time from a frame to the next, in which a client has read it and answered.
-  static constexpr double kFastestFactor = 150.0;
+  /// Without a factor, real time from a tick to the next. Chosen: in it a client has read a frame and
+  /// answered.
+  static constexpr double kShortestTick_s = 1e-4;
 
  private:
   std::optional<double> factor_;

@@ -93,6 +93,10 @@ void ServedWires::watch(std::vector<pollfd>& handles) const {
   }
 }
 
+bool ServedWires::cards_are_settled(double wall_s) const {
+  return std::ranges::all_of(cards_, [wall_s](const CardWire* card) { return card->is_settled(wall_s); });
+}
+
 std::optional<Devices> ServedWires::devices() {
   const auto is = [](CardWire::Peer peer) {
     return [peer](const CardWire* card) { return card->peer() == peer; };

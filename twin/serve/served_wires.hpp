@@ -40,6 +40,9 @@ class ServedWires {
   void pump(double wall_s);
   void watch(std::vector<pollfd>& handles) const;
 
+  /// Whether pcscd knows of the tags what there is to know: see CardWire::is_settled().
+  [[nodiscard]] bool cards_are_settled(double wall_s) const;
+
   [[nodiscard]] const TerminalWire& base() const { return *base_; }
   [[nodiscard]] const std::vector<std::unique_ptr<Wire>>& all() const { return wires_; }
   /// What there is now; nothing while it is not known yet whether there are card slots.

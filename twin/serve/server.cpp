@@ -23,6 +23,9 @@ namespace {
 constexpr double kShowEvery_s = 0.25;
 /// Longest sleep, so that a request to stop is seen. Chosen: a tenth of the second that it may take.
 constexpr double kSleepMax_s = 0.1;
+/// While the world stands still for a card. Chosen: pcscd's own pace is 0.4 s.
+constexpr double kCardLook_s = 1e-3;
+
 void sleep_until_something(std::vector<pollfd>& handles, double seconds) {
   const double whole = std::floor(seconds);
   const timespec limit{.tv_sec = static_cast<time_t>(whole),
@@ -73,12 +76,20 @@ struct Server::State {
   Pacer pacer;
   std::vector<pollfd> handles;
   std::optional<Devices> announced;
+  double waited_s{0.0};
+  std::optional<double> waits_since_s;
 };
 
 void Server::State::tick_or_sleep(double wall_s) {
   wires.pump(wall_s);
+  const bool waits = settings.wait_for_cards && !wires.cards_are_settled(wall_s);
+  if (waits) {
+    waited_s += waits_since_s ? wall_s - *waits_since_s : 0.0;
+    pacer.stand_still(wall_s);
+  }
+  waits_since_s = waits ? std::optional{wall_s} : std::nullopt;
   const bool follows = pacer.follows_client() && wires.base().client_is_up_to_date();
-  const double wait_s = pacer.wait_s(wall_s, follows);
+  const double wait_s = waits ? kCardLook_s : pacer.wait_s(wall_s, follows);
   if (wait_s <= 0.0) {
     twin.tick();
     pacer.tick(wall_s);
@@ -86,7 +97,9 @@ void Server::State::tick_or_sleep(double wall_s) {
   }
   handles.clear();
   wires.watch(handles);
-  sleep_until_something(handles, std::min(wait_s, kSleepMax_s));
+  // Nothing wakes us when a client has read what it was sent.
+  const bool looking = pacer.follows_client() && wires.base().has_client();
+  sleep_until_something(handles, std::min(wait_s, looking ? Pacer::kShortestTick_s : kSleepMax_s));
 }
 
 void Server::State::announce() {
@@ -107,6 +120,7 @@ ServeStatus Server::State::status() {
   now.wall_s = settings.wall_s() - begun_s;
   now.factor = pacer.achieved();
   now.given_up_s = pacer.given_up_s();
+  now.waited_s = waited_s;
   now.base_mode = mode_of(twin.machine().roomba());
   for (const auto& wire : wires.all()) {
     now.wires.push_back({.name = wire->name(), .has_client = wire->has_client(), .tally = wire->tally()});
@@ -149,6 +163,7 @@ std::string to_json(const ServeStatus& status, const Scene& scene, const ServerS
   json["sim_s"] = rounded(status.sim_s);
   json["wall_s"] = rounded(status.wall_s);
   json["given_up_s"] = rounded(status.given_up_s);
+  json["waited_s"] = rounded(status.waited_s);
   for (const ServeStatus::OfWire& wire : status.wires) {
     json["wires"][wire.name] = {{"clients", wire.tally.clients},
                                 {"refused", wire.tally.refused},

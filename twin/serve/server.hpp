@@ -19,6 +19,7 @@ struct ServerSettings {
   std::filesystem::path folder;  ///< for devices.yaml, serve.json and the terminals' links; made when missing
   std::optional<double> factor{1.0};  ///< simulated seconds a real second; none: as the client follows
   WireSettings wires{};
+  bool wait_for_cards{false};  ///< the world stands still until pcscd has noticed that a tag came or went
   std::optional<double> end_after_sim_s{};  ///< none: until it is told to stop
   /// main's clock, s.
   std::function<double()> wall_s;
@@ -41,6 +42,7 @@ struct ServeStatus {
   double wall_s{0.0};
   double factor{0.0};      ///< achieved over the last second
   double given_up_s{0.0};  ///< real time that could not be caught up
+  double waited_s{0.0};    ///< real time that the world stood still for the cards
   std::string base_mode;   ///< off, asleep, passive, safe, full
   std::vector<OfWire> wires;
 };

@@ -88,6 +88,8 @@ class BackgroundTwin {
     return std::filesystem::exists(file);
   }
 
+  [[nodiscard]] pid_t process() const { return process_; }
+
   struct End {
     int code{-1};  ///< -1: by a signal that it did not handle
     double after_s{0.0};

@@ -319,6 +319,21 @@ TEST_F(EmulatedUhfReaderTest, LosesReportsInsteadOfMemoryWhenNobodyTakesThem) {
   EXPECT_LT(small.sent().size(), 1200u);
 }
 
+TEST_F(EmulatedUhfReaderTest, LosesKeepalivesToo) {
+  UhfReaderSettings settings = kTwoChannels;
+  settings.buffer_bytes = 1000;
+  UhfBench small{settings};
+  ASSERT_TRUE(small.reader.connect());
+  llrp::SetReaderConfig config;
+  config.keepalive = llrp::KeepaliveSpec{.trigger = llrp::KeepaliveTrigger::kPeriodic, .period_ms = 10};
+  small.say(config);
+  for (int i = 1; i <= 1000; ++i) {
+    small.reader.step(robot::Instant{i * 20ms});
+  }
+  EXPECT_LT(small.reader.tally().keepalives, 110u);
+  EXPECT_LT(small.sent().size(), 1200u);
+}
+
 TEST_F(EmulatedUhfReaderTest, NeverCrashesOnRandomBytesAndTakesTheNextClient) {
   robot::RandomStream random{21};
   for (int round = 0; round < 3000; ++round) {

@@ -4,13 +4,16 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <cctype>
 #include <filesystem>
 #include <fstream>
 #include <iterator>
+#include <sstream>
 #include <string>
 #include <vector>
 
 #include "robot/wire/oi_commands.hpp"
+#include "robot/wire/oi_stream.hpp"
 #include "tests/twin/devices/roomba_bench.hpp"
 #include "twin/devices/emulated_roomba.hpp"
 
@@ -90,6 +93,75 @@ TEST_F(RecordedClientOnTheBoard, PlayerGets26BytesForEachPoll) {
   }
   EXPECT_EQ(board.mode(), Mode::kPassive);  // its last command but one is Dock
 }
+
+/// One line of a recorded session.
+struct SessionLine {
+  char kind{' '};  ///< '>' client to robot, '<' robot to client, '-' of the line itself
+  Bytes bytes;
+};
+
+/// `seconds > name decimals` and `seconds < name hex`.
+[[nodiscard]] std::vector<SessionLine> lines_of(const std::filesystem::path& session) {
+  std::ifstream file{session};
+  std::vector<SessionLine> lines;
+  for (std::string text; std::getline(file, text);) {
+    std::istringstream words{text};
+    std::string seconds;
+    SessionLine line;
+    if (text.starts_with('#') || !(words >> seconds >> line.kind)) {
+      continue;
+    }
+    std::string last;
+    for (std::string word; words >> word; last = word) {
+      if (line.kind == '>' && std::isdigit(static_cast<unsigned char>(word[0])) != 0) {
+        line.bytes.push_back(static_cast<std::uint8_t>(std::stoi(word)));
+      }
+    }
+    for (std::size_t i = 0; line.kind == '<' && i + 1 < last.size(); i += 2) {
+      line.bytes.push_back(static_cast<std::uint8_t>(std::stoi(last.substr(i, 2), nullptr, 16)));
+    }
+    lines.push_back(line);
+  }
+  return lines;
+}
+
+class RecordedSession : public RecordedClientOnTheBoard, public ::testing::WithParamInterface<const char*> {};
+
+TEST_P(RecordedSession, GetsAnswersAsLongAsTheRecordedOnesAndInTime) {
+  EmulatedRoombaConfig config;
+  if (std::string{GetParam()}.ends_with("_sci")) {
+    config.body.kind = world::RoombaKind::kRoomba400;
+  }
+  EmulatedRoomba board{config};
+  const std::vector<SessionLine> lines = lines_of(kVectors / (std::string{GetParam()} + ".session.txt"));
+  ASSERT_FALSE(lines.empty());
+  // Nobody waits longer than libcreate: 500 ms (protocols study, 1.8).
+  constexpr int kPatienceTicks = 33;
+  int answers = 0;
+  for (const SessionLine& line : lines) {
+    if (line.kind == '>') {
+      board.receive(line.bytes);
+    } else if (line.kind == '<') {
+      Bytes heard;
+      for (int i = 0; i < kPatienceTicks && heard.size() < line.bytes.size(); ++i) {
+        board.tick(in_);
+        const Bytes more = hear(board);
+        heard.insert(heard.end(), more.begin(), more.end());
+      }
+      ASSERT_EQ(heard.size(), line.bytes.size()) << "answer " << answers;
+      const bool frame = line.bytes[0] == robot::oi::kStreamHeader && line.bytes.size() > 26;
+      EXPECT_TRUE(!frame || (heard[0] == line.bytes[0] && heard[1] == line.bytes[1])) << "answer " << answers;
+      ++answers;
+    }
+  }
+  EXPECT_GT(answers, 0);
+}
+
+INSTANTIATE_TEST_SUITE_P(AllClients, RecordedSession,
+                         ::testing::Values("breezycreate2", "libcreate_create1_500", "libcreate_create2",
+                                           "libcreate_roomba400_sci", "player_roomba_sci", "pycreate2",
+                                           "pyroombaadapter"),
+                         [](const auto& client) { return std::string{client.param}; });
 
 }  // namespace
 }  // namespace sensotwin::twin

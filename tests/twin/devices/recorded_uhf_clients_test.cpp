@@ -85,6 +85,45 @@ TEST_F(RecordedUhfClients, LlrpjsTakesInventoryWithoutARefusal) {
   expect_all_accepted("llrpjs", "inventory", 7);
 }
 
+/// pyllrp matches answers by their type and takes some refusals for granted: what it was told is the
+/// standard.
+TEST_F(RecordedUhfClients, PyllrpGetsAnswersOfTheRecordedKindAndOutcome) {
+  std::ifstream file{kVectors / "pyllrp/session_index.json"};
+  UhfBench bench{fifty_channels()};
+  int compared = 0;
+  std::vector<FromReader> answers;
+  for (const auto& entry : nlohmann::json::parse(file)) {
+    if (!entry.contains("file")) {
+      continue;
+    }
+    const std::string name = entry["file"];
+    const robot::Bytes bytes = bytes_of(kVectors / "pyllrp" / name);
+    const int type = robot::u16_from_be(bytes[0], bytes[1]) & 0x3FF;
+    if (name.find("_c2r_") != std::string::npos) {
+      if (!bench.reader.is_connected()) {
+        ASSERT_TRUE(bench.reader.connect());
+        static_cast<void>(bench.sent());
+      }
+      bench.reader.receive(bytes);
+      answers = bench.messages();
+    } else if (name.find("_RESPONSE") != std::string::npos) {
+      const auto same = std::ranges::find_if(answers, [&](const auto& a) { return a.header.type == type; });
+      ASSERT_NE(same, answers.end()) << name;
+      const int recorded_code =
+          robot::u16_from_be(bytes[type == 1023 ? 19 : 14], bytes[type == 1023 ? 20 : 15]);
+      std::visit(
+          [&](const auto& message) {
+            if constexpr (requires { message.status; }) {
+              EXPECT_EQ(message.status.ok(), recorded_code == 0) << name;
+            }
+          },
+          same->message);
+      ++compared;
+    }
+  }
+  EXPECT_GE(compared, 10);
+}
+
 TEST_F(RecordedUhfClients, MalformedRequestsAreAnsweredAsTheyHaveToBe) {
   std::ifstream file{kVectors / "llrp_malformed/index.json"};
   const auto index = nlohmann::json::parse(file);

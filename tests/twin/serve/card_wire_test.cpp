@@ -91,16 +91,24 @@ class ServedCard : public ::testing::Test {
   double now_s_{0.0};
 };
 
-TEST_F(ServedCard, AsksOnceWhetherAnybodyIsThereAndLeavesAnEmptySlotEmpty) {
+TEST_F(ServedCard, HoldsItsAnswerForASecondWhileTheSlotIsEmptyThenSaysSoByGoing) {
   ASSERT_TRUE(until([&] { return vpcd_.accept(); }));
   EXPECT_EQ(wire_.peer(), Peer::kUnknown);
   vpcd_.say({4});
+  ASSERT_TRUE(until([&] { return wire_.peer() == Peer::kServing; }));
+  const double asked_s = now_s_;
   ASSERT_TRUE(until([&] { return vpcd_.card_is_gone(); }));
-  EXPECT_EQ(wire_.peer(), Peer::kServing);
-  for (int i = 0; i < 200; ++i) {
-    tick();
-  }
-  EXPECT_FALSE(vpcd_.accept()) << "no card, no connection";
+  EXPECT_NEAR(now_s_ - asked_s, 1.0, 0.05);
+  EXPECT_TRUE(until([&] { return vpcd_.accept(); })) << "and is there for the next look";
+}
+
+TEST_F(ServedCard, AnswersTheMomentATagComes) {
+  ASSERT_TRUE(until([&] { return vpcd_.accept(); }));
+  vpcd_.say({4});
+  ASSERT_TRUE(until([&] { return wire_.peer() == Peer::kServing; }));
+  field_ = &tag_;
+  tick();
+  EXPECT_EQ(vpcd_.hear().size(), 22u);
 }
 
 TEST_F(ServedCard, TellsTheAtrOfAnIcodeSliWhileATagIsThere) {
@@ -152,6 +160,25 @@ TEST_F(ServedCard, VanishesWithTheTagAndAppearsWithTheNext) {
   ASSERT_TRUE(until([&] { return vpcd_.accept(); }));
   EXPECT_EQ(ask({4}).size(), 22u);
   EXPECT_EQ(ask({0xFF, 0xCA, 0x00, 0x00, 0x00})[9], 6);
+}
+
+TEST_F(ServedCard, KnowsWhenPcscdHasNoticed) {
+  put_in();
+  EXPECT_TRUE(wire_.is_settled(now_s_));
+  field_ = nullptr;
+  tick();
+  EXPECT_FALSE(wire_.is_settled(now_s_));
+  EXPECT_TRUE(wire_.is_settled(now_s_ + 2.0)) << "it has had time enough";
+  vpcd_.say({4});
+  EXPECT_TRUE(vpcd_.card_is_gone());
+  vpcd_.hang_up();
+  EXPECT_TRUE(until([&] { return wire_.is_settled(now_s_); }));
+  field_ = &other_;
+  tick();
+  EXPECT_FALSE(wire_.is_settled(now_s_));
+  ASSERT_TRUE(vpcd_.accept());
+  EXPECT_EQ(ask({4}).size(), 22u);
+  EXPECT_TRUE(wire_.is_settled(now_s_));
 }
 
 TEST_F(ServedCard, ShowsAnExchangedTagAsARemovedOne) {

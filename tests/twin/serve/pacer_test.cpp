@@ -39,6 +39,16 @@ TEST(Pacer, GivesUpALongStandstillInsteadOfRunningAfterIt) {
   EXPECT_NEAR(pacer.given_up_s(), 4.985, 1e-12);
 }
 
+TEST(Pacer, MakesNothingUpAfterItStoodStillOnPurpose) {
+  Pacer pacer(1.0, 0.0);
+  pacer.tick(0.0);
+  pacer.stand_still(5.0);
+  EXPECT_DOUBLE_EQ(pacer.wait_s(5.0, false), 0.0);
+  pacer.tick(5.0);
+  EXPECT_NEAR(pacer.wait_s(5.0, false), 0.015, 1e-12);
+  EXPECT_DOUBLE_EQ(pacer.given_up_s(), 0.0);
+}
+
 TEST(Pacer, TellsTheFactorItAchievesWhenTheMachineIsTooSlow) {
   Pacer pacer(100.0, 0.0);
   for (int i = 0; i <= 1000; ++i) {
@@ -50,7 +60,7 @@ TEST(Pacer, TellsTheFactorItAchievesWhenTheMachineIsTooSlow) {
 TEST(Pacer, WithoutAFactorFollowsAClientThatReadsAndKeepsRealTimeForOneThatDoesNot) {
   Pacer pacer(std::nullopt, 0.0);
   pacer.tick(0.0);
-  EXPECT_NEAR(pacer.wait_s(0.0, true), 0.015 / Pacer::kFastestFactor, 1e-12);
+  EXPECT_NEAR(pacer.wait_s(0.0, true), Pacer::kShortestTick_s, 1e-12);
   EXPECT_NEAR(pacer.wait_s(0.0, false), 0.015, 1e-12);
   EXPECT_DOUBLE_EQ(pacer.wait_s(0.015, false), 0.0);
 }

@@ -8,6 +8,7 @@
 #include <string>
 
 #include "robot/output/exit_codes.hpp"
+#include "robot/ports/card_session.hpp"
 
 /// What can be asked of `sensobot`. Each deed throws LoadError and OutputError.
 namespace sensotwin::robot {
@@ -17,6 +18,7 @@ struct SensobotEnvironment {
   std::ostream& out;                 ///< stdout: results
   std::ostream& err;                 ///< stderr: what is said on the way
   std::function<std::string()> utc;  ///< now, as "20260131T235959Z"
+  CardService card_service{begin_pcsc_session};
 };
 
 struct RunCommandOptions {

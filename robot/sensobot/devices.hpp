@@ -17,9 +17,15 @@
 
 namespace sensotwin::robot {
 
+inline constexpr const char* kBaseName = "the Roomba";
+inline constexpr const char* kSensorsName = "the sensor board";
+inline constexpr const char* kUhfReaderName = "the UHF reader";
+inline constexpr const char* kFloorReaderName = "the floor reader";
+inline constexpr const char* kForwardReaderName = "the forward reader";
+
 /// A device of the robot file, and how it is now.
 struct DeviceState {
-  std::string name;     ///< "the Roomba"
+  std::string name;     ///< one of the above
   std::string address;  ///< as the file has it
   bool up{false};
   std::string trouble;  ///< why it is not up, for people

@@ -36,6 +36,18 @@ struct RunOptions {
 };
 [[nodiscard]] Command make_run_command(Deed<RunOptions> deed);
 
+struct ServeOptions {
+  SceneChoice choice{};
+  std::optional<std::filesystem::path> out{};  ///< none: default_serve_folder()
+  std::optional<double> factor{1.0};           ///< none: as fast as the client follows
+  std::optional<std::string> llrp{};           ///< host:port; none: 127.0.0.1:5084, or any free port
+  std::string vpcd{"127.0.0.1:35963"};         ///< where Debian's vpcd listens
+  bool cards{true};
+  bool strict_baud{false};
+  std::optional<double> end_after_sim_s{};
+};
+[[nodiscard]] Command make_serve_command(Deed<ServeOptions> deed);
+
 struct ValidateOptions {
   SceneChoice choice{};
   std::vector<std::uint64_t> seeds{};          ///< ascending, each once

@@ -106,6 +106,16 @@ void EmulatedUhfReader::disconnect() {
   next_keepalive_.reset();
 }
 
+void EmulatedUhfReader::close() {
+  if (!connected_ || closing_) {
+    return;
+  }
+  llrp::ReaderEvent event = event_now();
+  event.connection_close = llrp::ConnectionCloseEvent{};
+  put(llrp::ReaderEventNotification{std::move(event)}, next_id_++);
+  closing_ = true;
+}
+
 void EmulatedUhfReader::receive(robot::ByteView bytes) {
   while (connected_ && !closing_ && !bytes.empty()) {
     const auto room = in_.room();
@@ -124,10 +134,7 @@ void EmulatedUhfReader::receive(robot::ByteView bytes) {
         closing_ = closing_ || out_bytes_ > 2 * settings_.buffer_bytes;
       } else {
         // Nobody knows where the next message begins: say so and close, as a real Speedway does.
-        llrp::ReaderEvent event = event_now();
-        event.connection_close = llrp::ConnectionCloseEvent{};
-        put(llrp::ReaderEventNotification{std::move(event)}, next_id_++);
-        closing_ = true;
+        close();
       }
     }
   }

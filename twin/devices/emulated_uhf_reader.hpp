@@ -65,6 +65,10 @@ class EmulatedUhfReader final : private RoSpecListener {
   void disconnect();
   /// False before connect(), after disconnect(), and once the reader has closed and all is sent.
   [[nodiscard]] bool is_connected() const { return connected_ && !(closing_ && out_.empty()); }
+  /// The reader ends the connection of its own accord: its last message says so.
+  void close();
+  /// It has said its last message, or is about to: nothing more is heard.
+  [[nodiscard]] bool is_closing() const { return closing_; }
   /// Bytes from the client.
   void receive(robot::ByteView bytes);
   /// Moves bytes for the client that are due into `into`. \returns how many

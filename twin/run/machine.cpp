@@ -50,9 +50,13 @@ Machine::Machine(const Scene& scene, const robot::RandomStream& random)
       floor_reader_(card_reader_settings(scene.robot.floor_reader), random.fork("floor reader")),
       compass_(scene.robot.compass) {}
 
-void Machine::tick_world() {
+world::RobotMotion Machine::tick_world() {
+  world::RobotMotion motion{.begin_s = robot::to_s(now_), .X_WR_begin = world_.X_WR()};
   now_ += robot::kTick;
   world_.tick(outputs_);
+  motion.end_s = robot::to_s(now_);
+  motion.X_WR_end = world_.X_WR();
+  return motion;
 }
 
 void Machine::tick_devices() {

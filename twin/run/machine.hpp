@@ -9,6 +9,7 @@
 #include "twin/devices/emulated_roomba.hpp"
 #include "twin/output/state_hash.hpp"
 #include "twin/scene/scene.hpp"
+#include "world/radio/radio.hpp"
 #include "world/world.hpp"
 
 namespace sensotwin::twin {
@@ -22,8 +23,8 @@ class Machine {
   Machine(const Machine&) = delete;
   Machine& operator=(const Machine&) = delete;
 
-  /// The world goes on by one tick.
-  void tick_world();
+  /// The world goes on by one tick. \returns how the robot moved in it
+  world::RobotMotion tick_world();
   /// The devices see where it came to.
   void tick_devices();
   /// After whatever else the tick holds: its state enters the hash.
@@ -36,6 +37,7 @@ class Machine {
   [[nodiscard]] const world::RoombaInputs& inputs() const { return inputs_; }
   [[nodiscard]] const StateHash& hash() const { return hash_; }
 
+  [[nodiscard]] EmulatedRoomba& roomba() { return roomba_; }
   [[nodiscard]] robot::ByteLink& serial() { return serial_; }
   [[nodiscard]] robot::CardLink& floor_reader() { return floor_reader_; }
   [[nodiscard]] robot::ByteLink& compass() { return compass_; }

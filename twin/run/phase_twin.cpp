@@ -1,40 +1,10 @@
 // SPDX-License-Identifier: MIT
 #include "twin/run/phase_twin.hpp"
 
-#include <algorithm>
-
 #include "twin/run/phase_config.hpp"
 
 namespace sensotwin::twin {
 namespace {
-
-/// Reports are the emulated reader's affair: the radio hands it each read at once.
-world::RadioWorld at_once(world::RadioWorld radio) {
-  radio.radio.report_every = 1;
-  radio.radio.accumulate_reads = false;
-  radio.radio.report_latency_s = 0.0;
-  return radio;
-}
-
-UhfReaderSettings settings_of(const world::RadioWorld& radio) {
-  UhfReaderSettings settings;
-  settings.channels_hz = radio.radio.channels_hz;
-  settings.antennas =
-      static_cast<std::uint16_t>(std::max<std::size_t>(settings.antennas, radio.antennas.size()));
-  settings.report_latency = robot::from_s(radio.radio.report_latency_s);
-  if (radio.radio.rssi_step_db > 0.0) {
-    settings.rssi_step_db = radio.radio.rssi_step_db;
-  }
-  return settings;
-}
-
-std::vector<std::vector<std::uint16_t>> user_memory_of(const world::RadioWorld& radio) {
-  std::vector<std::vector<std::uint16_t>> memory;
-  for (const world::CeilingTag& tag : radio.tags) {
-    memory.push_back(tag.user_memory);
-  }
-  return memory;
-}
 
 robot::PhaseLinks rewired(const robot::PhaseLinks& links, const PhaseTwin::Rewiring& rewire) {
   return rewire ? rewire(links) : links;
@@ -51,24 +21,12 @@ robot::PhaseProgramConfig told(robot::PhaseProgramConfig config, const PhaseTwin
 
 PhaseTwin::PhaseTwin(const Scene& scene, const Rewiring& rewire, const Retelling& retell)
     : random_(scene.seed),
-      radio_world_(radio_of(scene, random_)),
-      user_memory_(user_memory_of(radio_world_)),
       machine_(scene, random_),
-      radio_(at_once(radio_world_), random_.fork("radio")),
-      uhf_reader_(settings_of(radio_world_),
-                  [this](const robot::Epc& epc) -> std::span<std::uint16_t> {
-                    for (std::size_t i = 0; i < radio_world_.tags.size(); ++i) {
-                      if (radio_world_.tags[i].epc == epc) {
-                        return user_memory_[i];
-                      }
-                    }
-                    return {};
-                  }),
-      program_(rewired({machine_.serial(), uhf_reader_.link(), machine_.floor_reader(), machine_.compass()},
-                       rewire),
-               told(phase_config_of(scene, radio_world_), retell)) {
-  radio_.use_antennas({}, 0.0);
-}
+      ceiling_(scene, random_),
+      program_(
+          rewired({machine_.serial(), ceiling_.reader().link(), machine_.floor_reader(), machine_.compass()},
+                  rewire),
+          told(phase_config_of(scene, ceiling_.world()), retell)) {}
 
 void PhaseTwin::tick() {
   tick_world();
@@ -77,45 +35,12 @@ void PhaseTwin::tick() {
 }
 
 void PhaseTwin::tick_world() {
-  world::RobotMotion motion{.begin_s = robot::to_s(now()), .X_WR_begin = world().X_WR()};
-  machine_.tick_world();
-  motion.end_s = robot::to_s(now());
-  motion.X_WR_end = world().X_WR();
-  heard_ = radio_.step(motion);
+  ceiling_.tick_world(machine_.tick_world());
 }
 
 void PhaseTwin::tick_devices() {
   machine_.tick_devices();
-  readings_.clear();
-  for (const world::RadioRead& read : heard_) {
-    const RadioReading reading{.at = robot::Instant{robot::from_s(read.time_s)},
-                               .epc = radio_world_.tags[read.tag].epc,
-                               .antenna = static_cast<std::uint16_t>(read.antenna + 1),
-                               .channel = static_cast<std::uint16_t>(read.channel + 1),
-                               .phase_rad = read.phase_rad,
-                               .rssi_dbm = read.rssi_dbm,
-                               .doppler_hz = read.doppler_hz};
-    if (uhf_reader_.report(reading)) {
-      readings_.push_back(reading);
-    }
-  }
-  uhf_reader_.step(now());
-  follow_ro_spec();
-}
-
-void PhaseTwin::follow_ro_spec() {
-  const std::span<const std::uint16_t> wanted = uhf_reader_.antennas();
-  if (std::equal(wanted.begin(), wanted.end(), ports_.begin(), ports_.end())) {
-    return;
-  }
-  ports_.assign(wanted.begin(), wanted.end());
-  std::vector<std::uint16_t> antennas;
-  for (const std::uint16_t port : ports_) {
-    if (port >= 1 && port <= radio_world_.antennas.size()) {
-      antennas.push_back(static_cast<std::uint16_t>(port - 1));
-    }
-  }
-  radio_.use_antennas(antennas, robot::to_s(now()));
+  ceiling_.tick_devices(now());
 }
 
 void PhaseTwin::tick_program() {

@@ -3,11 +3,11 @@
 
 #include <functional>
 #include <span>
-#include <vector>
 
 #include "robot/base/random.hpp"
 #include "robot/program/phase_program.hpp"
 #include "twin/devices/emulated_uhf_reader.hpp"
+#include "twin/run/ceiling_radio.hpp"
 #include "twin/run/machine.hpp"
 #include "twin/scene/scene.hpp"
 #include "world/radio/radio.hpp"
@@ -46,10 +46,10 @@ class PhaseTwin {
   /// Over the moving state of every tick so far.
   [[nodiscard]] const StateHash& hash() const { return machine_.hash(); }
   /// What the reader reported in the last tick, as the radio made it.
-  [[nodiscard]] std::span<const RadioReading> readings() const { return readings_; }
+  [[nodiscard]] std::span<const RadioReading> readings() const { return ceiling_.readings(); }
   /// The radio of this run, its hop table included.
-  [[nodiscard]] const world::RadioWorld& radio() const { return radio_world_; }
-  [[nodiscard]] const EmulatedUhfReader& uhf_reader() const { return uhf_reader_; }
+  [[nodiscard]] const world::RadioWorld& radio() const { return ceiling_.world(); }
+  [[nodiscard]] const EmulatedUhfReader& uhf_reader() const { return ceiling_.reader(); }
 
   /// For those who time the parts: tick() is these three in a row.
   void tick_world();
@@ -57,17 +57,9 @@ class PhaseTwin {
   void tick_program();
 
  private:
-  void follow_ro_spec();
-
   robot::RandomStream random_;
-  world::RadioWorld radio_world_;
-  std::vector<std::vector<std::uint16_t>> user_memory_;  ///< of each ceiling tag
   Machine machine_;
-  world::Radio radio_;
-  std::span<const world::RadioRead> heard_;
-  std::vector<RadioReading> readings_;
-  std::vector<std::uint16_t> ports_;  ///< that the radio reads through
-  EmulatedUhfReader uhf_reader_;
+  CeilingRadio ceiling_;
   robot::PhaseProgram program_;
 };
 

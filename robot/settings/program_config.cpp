@@ -2,6 +2,7 @@
 #include "robot/settings/program_config.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <numeric>
 
 namespace sensotwin::robot {
@@ -117,6 +118,9 @@ MappingProgramConfig mapping_config_of(const RobotSettings& settings) {
   config.mapping.body_radius_m = settings.base.radius_m;
   config.mapping.light_bumper.shell_radius_m = settings.base.radius_m;
   config.mapping.read_radius_m = settings.floor_reader.read_radius_m;
+  config.mapping.rim_delay_s = settings.floor_reader.notice_delay_s;
+  config.mapping.rim_sigma_m =
+      std::hypot(config.mapping.rim_sigma_m, settings.floor_reader.notice_sigma_s * mission.pace.speed_mps);
   config.base = base_config_of(settings.base);
   config.reader = card_config_of(settings.floor_reader);
   return config;

@@ -48,6 +48,9 @@ void card_reader_fields(FieldVisitor& v, CardReaderSettings& reader) {
   v.number({"read_radius_m", "a tag answers within this radius, m"}, reader.read_radius_m, {0.005, 1.0});
   v.choice({"uid_order", "which byte of a UID the reader gives first"}, reader.uid_order, kUidOrderWords);
   v.whole({"blocks_per_command", "blocks of 4 bytes in one command"}, reader.blocks_per_command, 1, 63);
+  v.number({"notice_delay_s", "a tag's coming and going is noticed this much late, s"}, reader.notice_delay_s,
+           {0.0, 5.0});
+  v.number({"notice_sigma_s", "scatter of that, 1 sigma, s"}, reader.notice_sigma_s, {0.0, 5.0});
   of_the_twin_alone(v, {"at_m", "exchange_s", "torn_write_probability"});
 }
 

@@ -184,11 +184,38 @@ struct CompassDescription {
   double resolution_rad{0.0017453292519943296};  ///< 0.1 degree: the one decimal of HCHDM
 };
 
+/// Ultrasonic rangefinders on the front of the robot, "for forward and lateral sensing and the sensitivity
+/// range is up to 5 meters" (Tsukiyama, section 4). What the two pages at hand leave open is assumed:
+/// algorithms study, D.
+struct SonarDescription {
+  /// Where each looks in R, counter-clockwise from forward, left to right. Assumed: two to each side, square
+  /// to the wall and 30 degrees ahead of that, and three forward.
+  std::vector<double> bearings_rad{1.5707963267948966,  1.0471975511965976,  0.3490658503988659, 0.0,
+                                   -0.3490658503988659, -1.0471975511965976, -1.5707963267948966};
+  double mount_radius_m{0.15};  ///< of the ring they stand on, about the middle of R. Chosen: on the shell
+  double half_angle_rad{
+      0.2617993877991494};     ///< of the cone: 15 degrees (40 kHz transducers such as HC-SR04, MB10x0)
+  double min_range_m{0.03};    ///< nearer things are told to be as far; algorithms study, D
+  double max_range_m{5.0};     ///< Tsukiyama, section 4
+  double noise_sigma_m{0.01};  ///< 1 sigma. Chosen: the resolution of MB12x0 rangefinders
+  /// A wall answers while the sound meets it within this of its normal; beyond, it is a mirror. Chosen:
+  /// painted plaster at 40 kHz (8.6 mm) is smooth; 30 degrees with the 15 of the cone loses walls met at more
+  /// than 45.
+  double specular_limit_rad{0.5235987755982988};
+  /// An edge or corner scatters weakly and is heard this near. Chosen: half the range.
+  double corner_range_m{2.5};
+  double dropout{0.01};  ///< share of readings without an echo for no reason of geometry. Chosen
+  double crosstalk{
+      0.0};  ///< share of readings that hear a neighbour's nearer echo; 0: they fire one after the other
+  double rate_hz{10.0};  ///< readings a second of each
+};
+
 struct RobotDescription {
   RoombaDescription base;
   ReaderDescription floor_reader;
   ReaderDescription forward_reader{.at_m = {0.20, 0.0}, .read_radius_m = 0.10};
   CompassDescription compass;
+  std::optional<SonarDescription> sonar;
   Pose2 X_WR_start;
 };
 

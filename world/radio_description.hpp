@@ -110,11 +110,26 @@ struct RadioDescription {
   double report_latency_s{0.0};
 };
 
+/// How antennas are mounted when nobody lists them.
+enum class AntennaMounting : std::uint8_t {
+  kPair,  ///< two patches on the robot's back that look up: pair_of_antennas()
+  kRoof,  ///< two patches that look ahead and two that look behind: roof_of_antennas()
+};
+
+/// What goes wrong between reader and program. Nobody is told.
+struct ReaderFaults {
+  std::vector<robot::Vec2> silent_s{};  ///< from x to y the reader hears nothing, its connection standing
+  double lost_share{0.0};               ///< of reads, each by its own luck
+  bool cables_swapped{false};           ///< of ports 1 and 2
+};
+
 /// Everything of radio in one world. No antennas: no UHF reader.
 struct RadioWorld {
   RadioDescription radio{};
   std::vector<CeilingTag> tags{};
-  std::vector<AntennaDescription> antennas{};
+  AntennaMounting mounting{AntennaMounting::kPair};
+  std::vector<AntennaDescription> antennas{};  ///< port 1 first
+  ReaderFaults faults{};
   double floor_tag_radius_m{0.05};  ///< read zone of the floor antenna over a floor tag (algorithms, A.0: r)
 };
 

@@ -17,6 +17,7 @@
 #include "world/compass_field.hpp"
 #include "world/obstacles.hpp"
 #include "world/solid_bodies.hpp"
+#include "world/sonar_ring.hpp"
 #include "world/traction.hpp"
 
 namespace sensotwin::world {
@@ -83,6 +84,7 @@ struct World::State {
   TagField tags;
   double floor_tag_radius_m;
   CompassField compass;
+  std::optional<SonarRing> sonar;
   ContactCounts contacts;
   BumpSwitches bumped;
   std::array<double, 4> motor_ma{};
@@ -152,6 +154,9 @@ World::State::State(const WorldDescription& world, const RobotDescription& robot
     }
   }
   body = make_shell(box, robot, origin_m);
+  if (robot.sonar) {
+    sonar.emplace(*robot.sonar, random.fork("sonar"));
+  }
 }
 
 void World::State::step(const std::array<double, 2>& target_mps) {
@@ -322,6 +327,19 @@ std::optional<TagIndex> World::forward_tag() const {
 }
 double World::compass_heading_rad() {
   return state_->compass.read_heading_rad(X_WR());
+}
+
+std::vector<std::optional<double>> World::sonar_ranges_m() {
+  State& s = *state_;
+  if (!s.sonar) {
+    return {};
+  }
+  std::vector<Outline> pushed;
+  pushed.reserve(s.pushables.size());
+  for (const Pushable& piece : s.pushables) {
+    pushed.push_back(moved(piece.outline_F, s.X_WF[piece.index]));
+  }
+  return s.sonar->read_m(s.fixed, pushed, X_WR());
 }
 
 double World::energy_j() const {

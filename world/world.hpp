@@ -5,6 +5,7 @@
 #include <memory>
 #include <optional>
 #include <span>
+#include <vector>
 
 #include "robot/base/random.hpp"
 #include "world/description.hpp"
@@ -59,6 +60,10 @@ class World {
 
   /// One compass reading: clockwise from magnetic north, rad in [0, 2 pi). Draws noise each time it is asked.
   [[nodiscard]] double compass_heading_rad();
+
+  /// One reading of every rangefinder, m, left to right; nothing where no echo is heard, empty without
+  /// rangefinders. Draws noise each time it is asked.
+  [[nodiscard]] std::vector<std::optional<double>> sonar_ranges_m();
 
   /// Kinetic energy of robot and furniture, J.
   [[nodiscard]] double energy_j() const;

@@ -40,6 +40,10 @@ void Compass::step(Instant now) {
       ++health_.went_stale;
     }
   }
+  if (sonars_ && now - sonars_->stamp > config_.stale_after) {
+    sonars_.reset();
+    ++health_.went_stale;
+  }
 }
 
 void Compass::take(std::uint8_t byte) {
@@ -57,6 +61,13 @@ void Compass::take(std::uint8_t byte) {
 }
 
 void Compass::take(const NmeaSentence& sentence) {
+  if (const auto distances = decode_distances(sentence)) {
+    take(*distances);
+    return;
+  } else if (distances.error() != DistanceError::kNoDistances) {
+    ++health_.bad_distances;
+    return;
+  }
   const auto heading = decode_heading(sentence);
   if (!heading) {
     switch (heading.error()) {
@@ -82,6 +93,26 @@ void Compass::take(const NmeaSentence& sentence) {
   }
   ++health_.headings;
   reading_ = CompassReading{yaw_rad_from_heading_deg(magnetic_deg), now_, {}};
+}
+
+void Compass::take(const Distances& distances) {
+  if (distances.count == 0) {
+    ++health_.other;
+    return;
+  }
+  for (const Distance& distance : distances.all()) {
+    range_m_[distance.sonar] = distance.metres;
+    ranged_at_[distance.sonar] = now_;
+    if (distance.sonar == config_.last_sonar) {
+      ++health_.sonar_rounds;
+      sonars_ = SonarRound{range_m_, now_};
+      for (std::size_t i = 0; i < kSonarNames; ++i) {
+        if (now_ - ranged_at_[i] > config_.stale_after) {
+          sonars_->range_m[i].reset();
+        }
+      }
+    }
+  }
 }
 
 }  // namespace sensotwin::robot

@@ -1,18 +1,22 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <optional>
 
 #include "robot/base/time.hpp"
 #include "robot/hal/byte_link.hpp"
 #include "robot/wire/nmea.hpp"
+#include "robot/wire/nmea_distances.hpp"
 
 namespace sensotwin::robot {
 
 struct CompassConfig {
   /// A reading older than this is no longer given. Chosen: five sentences missed at 10 Hz.
   Duration stale_after{std::chrono::milliseconds{500}};
+  /// The rangefinder whose distance ends a round; the paper's robot has seven (Tsukiyama, section 4).
+  std::uint8_t last_sonar{6};
 };
 
 struct CompassReading {
@@ -24,6 +28,13 @@ struct CompassReading {
   Duration age{};   ///< at the last step
 };
 
+/// One round of the rangefinders that stand on the same board.
+struct SonarRound {
+  /// By the digit of their names, m; nothing: no echo, or not heard of for longer than a reading may be old.
+  std::array<std::optional<double>, kSonarNames> range_m{};
+  Instant stamp{};  ///< step in which the last of them was told
+};
+
 /// Counters since construction.
 struct CompassHealth {
   std::uint32_t headings{0};  ///< magnetic headings taken (HDM, HDG)
@@ -31,12 +42,14 @@ struct CompassHealth {
   std::uint32_t bad_frame{0};    ///< every other NmeaError
   std::uint32_t bad_heading{0};  ///< whole sentence, but no usable heading in it
   std::uint32_t not_ready{0};    ///< heading sentence with an empty heading
-  std::uint32_t other{0};        ///< sound sentences of other kinds (HDT: true north is not what we ask for)
-  std::uint32_t went_stale{0};   ///< times the reading grew too old
+  std::uint32_t sonar_rounds{0};
+  std::uint32_t bad_distances{0};  ///< whole sentence of distances, but not to be understood
+  std::uint32_t other{0};       ///< sound sentences of other kinds (HDT: true north is not what we ask for)
+  std::uint32_t went_stale{0};  ///< times the reading grew too old
   std::uint32_t link_lost{0};
 };
 
-/// A compass that talks NMEA 0183.
+/// A compass that talks NMEA 0183, and the rangefinders on its board, if it has any.
 class Compass {
  public:
   /// `link` has to outlive the compass.
@@ -46,17 +59,23 @@ class Compass {
   void step(Instant now);
   /// The last heading; nothing before the first, and when it is stale.
   [[nodiscard]] const std::optional<CompassReading>& reading() const { return reading_; }
+  /// The last round; nothing before the first, and when it is stale.
+  [[nodiscard]] const std::optional<SonarRound>& sonars() const { return sonars_; }
   [[nodiscard]] const CompassHealth& health() const { return health_; }
 
  private:
   void take(std::uint8_t byte);
   void take(const NmeaSentence& sentence);
+  void take(const Distances& distances);
 
   ByteLink& link_;
   CompassConfig config_;
   NmeaDecoder decoder_;
   Instant now_{};
   std::optional<CompassReading> reading_;
+  std::array<std::optional<double>, kSonarNames> range_m_{};
+  std::array<Instant, kSonarNames> ranged_at_{};
+  std::optional<SonarRound> sonars_;
   bool was_up_{true};
   CompassHealth health_;
 };

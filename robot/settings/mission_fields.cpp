@@ -16,6 +16,7 @@ constexpr std::array<std::string_view, 3> kPairingWords{"same_instant", "latest"
 constexpr std::array<std::string_view, 4> kPathWords{"polyline", "smooth", "circle", "circle_about"};
 constexpr std::array<std::string_view, 2> kCornerWords{"constant", "slow"};
 constexpr std::array<std::string_view, 3> kMissingWords{"search", "skip", "stop"};
+constexpr std::array<std::string_view, 3> kOrderWords{"go_on", "exchange", "stop"};
 
 /// As robot/mapping spells them, in the order of the enumeration. Made when first asked for, so that it is
 /// there for whoever reads or writes a scene before main, in whatever order static objects are made.
@@ -63,6 +64,8 @@ void phase_mission_fields(FieldVisitor& v, PhaseMission& mission) {
            kControllerWords);
   v.texts({"destinations", "names of tags in order, each as often as wanted; empty: all as listed"},
           mission.destinations, {0, 1000});
+  v.texts({"exchanged", "names of two tags whose codes the robot was told the wrong way round"},
+          mission.exchanged, {0, 2});
   v.number({"speed_mps", "driving, m/s"}, mission.speed_mps, {0.01, 0.45});
   v.section_or_word(
       {"sets", "fuzzy: reproduction (the paper's figures), tuned, or figures"}, kSetsWords,
@@ -82,6 +85,9 @@ void phase_mission_fields(FieldVisitor& v, PhaseMission& mission) {
   v.number({"circle_laps", "own, circle_about: how often round"}, mission.circle_laps, {0.1, 1000.0});
   v.choice({"on_missing", "own: what to do about a tag that is not heard"}, mission.on_missing,
            kMissingWords);
+  v.number({"order_factor", "own: doubts the list where the next tag but one is so much nearer; 0: never"},
+           mission.order_factor, {0.0, 100.0});
+  v.choice({"on_order", "own: what to do then"}, mission.on_order, kOrderWords);
   v.maybe({"corridor_half_width_m", "own: stops rather than be further from its path, m"},
           mission.corridor_half_width_m, [&](double& value) {
             v.number({"corridor_half_width_m", "m"}, value, {0.01, 100.0});

@@ -47,7 +47,7 @@ PhaseReaderModel reader_model_of(const UhfReaderSettings& reader) {
   model.monostatic = reader.monostatic;
   model.transmitter_R_m = {0.0, 0.0, reader.antennas.front().at_R_m.z()};
   model.phase_sign = reader.phase_sign;
-  model.pi_ambiguous = reader.pi_ambiguous || reader.pi_flips;
+  model.pi_ambiguous = reader.pi_ambiguous;
   model.centre_hz = reader.centre_hz;
   model.noise = reader.noise;
   return model;
@@ -71,6 +71,8 @@ CeilingMissionConfig own_of(const RobotSettings& settings) {
   config.circle_radius_m = mission.circle_radius_m;
   config.circle_laps = mission.circle_laps;
   config.faults.on_missing = static_cast<OnTagFault>(mission.on_missing);
+  config.faults.order_factor = mission.order_factor;
+  config.faults.on_order = static_cast<OnTagFault>(mission.on_order);
   config.faults.corridor_half_width_m = mission.corridor_half_width_m;
   return config;
 }

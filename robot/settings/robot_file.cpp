@@ -72,7 +72,6 @@ void uhf_reader_fields(FieldVisitor& v, UhfReaderSettings& reader) {
            kPathKindWords);
   reader.monostatic = path == 1;
   v.number({"phase_sign", "+1: phase grows with distance; -1: falls"}, reader.phase_sign, {-1.0, 1.0});
-  v.flag({"pi_flips", "reads half a turn off, by RSSI"}, reader.pi_flips);
   v.flag({"pi_ambiguous", "each read's phase is known up to pi only"}, reader.pi_ambiguous);
   v.number({"centre_hz", "middle of the band, Hz"}, reader.centre_hz, {1e8, 1e10});
   v.whole({"report_every", "reads in one report"}, reader.report_every, 1, 1000);

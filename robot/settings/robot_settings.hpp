@@ -50,7 +50,6 @@ struct UhfReaderSettings {
   std::vector<AntennaMount> antennas{{.at_R_m = {0.0, 0.08, 0.1}}, {.at_R_m = {0.0, -0.08, 0.1}}};
   bool monostatic{false};
   double phase_sign{1.0};    ///< +1: the reported phase grows with distance; -1: falls
-  bool pi_flips{false};      ///< single reads may be half a turn off
   bool pi_ambiguous{false};  ///< all reads are known up to half a turn only
   double centre_hz{915e6};
   PhaseNoise noise;

@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "robot/base/geometry.hpp"
+#include "robot/wire/nmea_fields.hpp"
 
 namespace sensotwin::robot {
 namespace {
@@ -30,51 +31,17 @@ std::optional<std::uint8_t> hex_digit(std::uint8_t c) {
   return std::nullopt;
 }
 
-/// The "x.x" of the standard: digits, at most one point, at least one digit.
-std::optional<double> parse_number(std::string_view text) {
-  const auto digits = std::count_if(text.begin(), text.end(), [](char c) { return c >= '0' && c <= '9'; });
-  const auto points = std::count(text.begin(), text.end(), '.');
-  if (digits == 0 || points > 1 || static_cast<std::size_t>(digits + points) != text.size()) {
-    return std::nullopt;
-  }
-  double value = 0.0;
-  const auto parsed =
-      std::from_chars(text.data(), text.data() + text.size(), value, std::chars_format::fixed);
-  return parsed.ec == std::errc{} ? std::optional{value} : std::nullopt;
-}
-
 double in_full_circle(double deg) {
   const double wrapped = std::fmod(deg, 360.0);
   const double positive = wrapped < 0.0 ? wrapped + 360.0 : wrapped;
   return positive >= 360.0 ? 0.0 : positive;  // -1e-20 + 360 rounds to 360
 }
 
-/// Fields of one sentence, address included.
-struct Fields {
-  std::array<std::string_view, 8> at{};
-  std::size_t count{0};
-};
-
-Fields split(std::string_view body) {
-  Fields fields;
-  for (;;) {
-    const std::size_t comma = body.find(',');
-    if (fields.count < fields.at.size()) {
-      fields.at[fields.count] = body.substr(0, comma);
-    }
-    ++fields.count;
-    if (comma == std::string_view::npos) {
-      return fields;
-    }
-    body.remove_prefix(comma + 1);
-  }
-}
-
 Result<double, HeadingError> parse_heading(std::string_view text) {
   if (text.empty()) {
     return Unexpected{HeadingError::kNoHeading};
   }
-  const std::optional<double> value = parse_number(text);
+  const std::optional<double> value = nmea_number(text);
   if (!value) {
     return Unexpected{HeadingError::kBadNumber};
   }
@@ -90,7 +57,7 @@ Result<std::optional<double>, HeadingError> parse_east(std::string_view magnitud
   if (magnitude.empty() && (side.empty() || side == "E" || side == "W")) {
     return std::optional<double>{};
   }
-  const std::optional<double> value = parse_number(magnitude);
+  const std::optional<double> value = nmea_number(magnitude);
   if (!value) {
     return Unexpected{HeadingError::kBadNumber};
   }
@@ -103,7 +70,7 @@ Result<std::optional<double>, HeadingError> parse_east(std::string_view magnitud
   return std::optional{side == "E" ? *value : -*value};
 }
 
-Result<HeadingSentence, HeadingError> decode_hdg(const Fields& fields) {
+Result<HeadingSentence, HeadingError> decode_hdg(const NmeaFields& fields) {
   if (fields.count != 6) {
     return Unexpected{HeadingError::kWrongFieldCount};
   }
@@ -243,7 +210,7 @@ double Hdg::magnetic_deg() const {
 
 Result<HeadingSentence, HeadingError> decode_heading(const NmeaSentence& sentence) {
   const std::string_view formatter = sentence.formatter();
-  const Fields fields = split(sentence.body);
+  const NmeaFields fields = nmea_fields(sentence.body);
   if (formatter == "HDG") {
     return decode_hdg(fields);
   }

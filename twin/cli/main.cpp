@@ -37,8 +37,8 @@ std::vector<Command> commands() {
   probes.insert(probes.end(), renderers.begin(), renderers.end());
   return {
       make_run_command(run_deed),
-      make_replay_command(replay_deed),
       make_serve_command(serve_deed),
+      make_replay_command(replay_deed),
       make_validate_command(validate_deed),
       make_chart_command(chart_deed),
       make_render_command(render_deed),

@@ -39,8 +39,9 @@ constexpr std::array<Figure<MapResult>, 16> kMapFigures{{
     {"moves_recovered", &MapResult::moves_recovered},
 }};
 
-constexpr std::array<Figure<PathResult>, 15> kPathFigures{{
+constexpr std::array<Figure<PathResult>, 16> kPathFigures{{
     {"rmse_m", &PathResult::rmse_m},
+    {"rmse_first_half_m", &PathResult::rmse_first_half_m},
     {"rmse_second_half_m", &PathResult::rmse_second_half_m},
     {"error_min_m", &PathResult::error_min_m},
     {"error_max_m", &PathResult::error_max_m},

@@ -38,6 +38,7 @@ struct MapResult {
 struct PathResult {
   std::string controller{};
   double rmse_m{0.0};              ///< Gueaieb & Miah, equation 4
+  double rmse_first_half_m{0.0};   ///< of the first half of the legs: the first of two laps
   double rmse_second_half_m{0.0};  ///< of the second half of the legs: later laps
   double error_min_m{0.0};
   double error_max_m{0.0};

@@ -39,7 +39,8 @@ std::vector<std::vector<std::uint16_t>> user_memory_of(const world::RadioWorld& 
 }  // namespace
 
 CeilingRadio::CeilingRadio(const Scene& scene, const robot::RandomStream& random)
-    : radio_world_(radio_of(scene, random)),
+    : fault_random_(random.fork("reader faults")),
+      radio_world_(radio_of(scene, random)),
       user_memory_(user_memory_of(radio_world_)),
       radio_(at_once(radio_world_), random.fork("radio")),
       reader_(settings_of(radio_world_), [this](const robot::Epc& epc) -> std::span<std::uint16_t> {
@@ -60,19 +61,34 @@ void CeilingRadio::tick_world(const world::RobotMotion& motion) {
 void CeilingRadio::tick_devices(robot::Instant now) {
   readings_.clear();
   for (const world::RadioRead& read : heard_) {
-    const RadioReading reading{.at = robot::Instant{robot::from_s(read.time_s)},
-                               .epc = radio_world_.tags[read.tag].epc,
-                               .antenna = static_cast<std::uint16_t>(read.antenna + 1),
-                               .channel = static_cast<std::uint16_t>(read.channel + 1),
-                               .phase_rad = read.phase_rad,
-                               .rssi_dbm = read.rssi_dbm,
-                               .doppler_hz = read.doppler_hz};
-    if (reader_.report(reading)) {
+    RadioReading reading{.at = robot::Instant{robot::from_s(read.time_s)},
+                         .epc = radio_world_.tags[read.tag].epc,
+                         .antenna = static_cast<std::uint16_t>(read.antenna + 1),
+                         .channel = static_cast<std::uint16_t>(read.channel + 1),
+                         .phase_rad = read.phase_rad,
+                         .rssi_dbm = read.rssi_dbm,
+                         .doppler_hz = read.doppler_hz};
+    if (comes_through(reading) && reader_.report(reading)) {
       readings_.push_back(reading);
     }
   }
   reader_.step(now);
   follow_ro_spec(now);
+}
+
+bool CeilingRadio::comes_through(RadioReading& reading) {
+  const world::ReaderFaults& faults = radio_world_.faults;
+  const double at_s = robot::to_s(reading.at);
+  const bool silent =
+      std::any_of(faults.silent_s.begin(), faults.silent_s.end(),
+                  [at_s](const robot::Vec2& from_to) { return at_s >= from_to.x() && at_s < from_to.y(); });
+  if (silent || (faults.lost_share > 0.0 && fault_random_.chance(faults.lost_share))) {
+    return false;
+  }
+  if (faults.cables_swapped && reading.antenna <= 2) {
+    reading.antenna = static_cast<std::uint16_t>(3 - reading.antenna);
+  }
+  return true;
 }
 
 void CeilingRadio::follow_ro_spec(robot::Instant now) {

@@ -37,7 +37,10 @@ class CeilingRadio {
 
  private:
   void follow_ro_spec(robot::Instant now);
+  /// \returns false for one that a fault of the reader swallows
+  [[nodiscard]] bool comes_through(RadioReading& reading);
 
+  robot::RandomStream fault_random_;
   world::RadioWorld radio_world_;
   std::vector<std::vector<std::uint16_t>> user_memory_;  ///< of each ceiling tag
   world::Radio radio_;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "twin/run/phase_config.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <numeric>
 
@@ -11,6 +12,18 @@
 namespace sensotwin::twin {
 namespace {
 
+/// What the robot is told of a tag's code.
+robot::Epc told_code(const Scene& scene, std::size_t tag) {
+  const std::vector<world::CeilingTag>& tags = scene.world.radio->tags;
+  const std::vector<std::string>& exchanged = scene.mission.phase->exchanged;
+  const auto self = std::find(exchanged.begin(), exchanged.end(), tags[tag].name);
+  if (exchanged.size() != 2 || self == exchanged.end()) {
+    return tags[tag].epc;
+  }
+  const std::string& other = self == exchanged.begin() ? exchanged.back() : exchanged.front();
+  return std::find_if(tags.begin(), tags.end(), [&](const auto& t) { return t.name == other; })->epc;
+}
+
 robot::UhfReaderSettings reader_of(const world::RadioWorld& world) {
   const world::RadioDescription& radio = world.radio;
   robot::UhfReaderSettings model;
@@ -20,7 +33,6 @@ robot::UhfReaderSettings reader_of(const world::RadioWorld& world) {
   }
   model.monostatic = radio.path == world::PathKind::kMonostatic;
   model.phase_sign = radio.phase_sign;
-  model.pi_flips = radio.pi_flips;
   model.pi_ambiguous = radio.pi_ambiguous;
   model.centre_hz = std::accumulate(radio.channels_hz.begin(), radio.channels_hz.end(), 0.0) /
                     static_cast<double>(radio.channels_hz.size());
@@ -62,8 +74,9 @@ robot::RobotSettings robot_settings_of(const Scene& scene, const world::RadioWor
   robot::RobotSettings settings = robot_settings_of(scene);
   settings.uhf_reader = reader_of(radio);
   settings.floor_tag_radius_m = radio.floor_tag_radius_m;
-  for (const world::CeilingTag& tag : radio.tags) {
-    settings.ceiling_tags.push_back({.name = tag.name, .epc = tag.epc, .height_m = tag.height_m});
+  for (std::size_t i = 0; i < radio.tags.size(); ++i) {
+    const world::CeilingTag& tag = radio.tags[i];
+    settings.ceiling_tags.push_back({.name = tag.name, .epc = told_code(scene, i), .height_m = tag.height_m});
   }
   return settings;
 }

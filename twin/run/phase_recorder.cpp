@@ -159,6 +159,7 @@ void PhaseRecorder::finish() {
 PathResult PhaseRecorder::result(const PhaseTwin& twin) const {
   PathResult result = result_;
   result.rmse_m = rms(first_half_.sum_m2 + second_half_.sum_m2, first_half_.count + second_half_.count);
+  result.rmse_first_half_m = rms(first_half_.sum_m2, first_half_.count);
   result.rmse_second_half_m = rms(second_half_.sum_m2, second_half_.count);
   result.arrived = twin.program().arrived() ? 1 : 0;
   result.minutes = robot::to_s(twin.now()) / 60.0;

@@ -4,6 +4,7 @@
 #include <map>
 
 #include "robot/settings/mission_checks.hpp"
+#include "twin/scene/nearest_name.hpp"
 #include "twin/scene/scene_checks.hpp"
 
 /// Ceiling tags, the radio and missions along the tags, as far as one field cannot tell.
@@ -46,6 +47,36 @@ void SceneChecks::radio() {
   }
 }
 
+void SceneChecks::exchanged_tags(const std::vector<std::string>& names) {
+  const std::vector<std::string>& exchanged = scene_.mission.phase->exchanged;
+  if (exchanged.size() == 1 || (exchanged.size() == 2 && exchanged[0] == exchanged[1])) {
+    add("mission.phase.exchanged", "names one tag", "expected none, or two different ones");
+  }
+  for (std::size_t i = 0; i < exchanged.size(); ++i) {
+    if (std::find(names.begin(), names.end(), exchanged[i]) == names.end()) {
+      add(fmt::format("mission.phase.exchanged[{}]", i), fmt::format("there is no tag '{}'", exchanged[i]),
+          "expected the name of one of world.ceiling_tags" + did_you_mean(exchanged[i], names));
+    }
+  }
+}
+
+void SceneChecks::reader_faults() {
+  if (!scene_.world.radio) {
+    return;
+  }
+  const world::RadioWorld& radio = *scene_.world.radio;
+  const std::vector<robot::Vec2>& silent_s = radio.faults.silent_s;
+  for (std::size_t i = 0; i < silent_s.size(); ++i) {
+    if (silent_s[i].x() >= silent_s[i].y()) {
+      add(fmt::format("robot.uhf_reader.faults.silent_s[{}]", i),
+          fmt::format("is from {} s to {} s", silent_s[i].x(), silent_s[i].y()), "expected [from, to]");
+    }
+  }
+  if (radio.faults.cables_swapped && radio.antennas.size() < 2) {
+    add("robot.uhf_reader.faults.cables", "one antenna has one cable", "expected two antennas or more");
+  }
+}
+
 void SceneChecks::phase_mission() {
   if (!scene_.mission.phase) {
     return;
@@ -69,6 +100,7 @@ void SceneChecks::phase_mission() {
       add(problem.path, problem.what, problem.hint);
     }
   }
+  exchanged_tags(names);
 }
 
 }  // namespace sensotwin::twin

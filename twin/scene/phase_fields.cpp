@@ -18,6 +18,8 @@ constexpr Range kDecibel{-200.0, 200.0};
 constexpr std::array<std::string_view, 2> kProfileWords{"paper", "impinj_r420"};
 constexpr std::array<std::string_view, 2> kPathKindWords{"bistatic", "monostatic"};
 constexpr std::array<std::string_view, 3> kNoiseLawWords{"proportional", "offset", "rssi"};
+constexpr std::array<std::string_view, 2> kMountWords{"pair", "roof"};
+constexpr std::array<std::string_view, 2> kCableWords{"as_given", "swapped"};
 
 /// A profile as scenes have it: its hop table and its slots are made when the run begins, from its seed and
 /// its antennas, unless the scene gives them.
@@ -125,6 +127,15 @@ void radio_fields(FieldVisitor& v, world::RadioDescription& radio) {
   air_fields(v, radio);
 }
 
+void reader_fault_fields(FieldVisitor& v, world::ReaderFaults& faults) {
+  v.points({"silent_s", "[from, to]: hears nothing meanwhile, s of the run"}, faults.silent_s, {0.0, 1e6},
+           {0, 1000});
+  v.number({"lost_share", "of reads that never arrive"}, faults.lost_share, {0.0, 1.0});
+  std::size_t cables = faults.cables_swapped ? 1 : 0;
+  v.choice({"cables", "of ports 1 and 2"}, cables, kCableWords);
+  faults.cables_swapped = cables == 1;
+}
+
 /// Makes the optional radio of a world there.
 auto there(world::WorldDescription& world) {
   return [&world] {
@@ -153,18 +164,21 @@ void uhf_reader_fields(FieldVisitor& v, world::WorldDescription& world) {
   const Field reader{"uhf_reader", "reads the tags under the ceiling"};
   v.maybe(reader, world.radio.has_value(), there(world), [&] {
     v.section(reader, [&] {
-      v.list(
-          {"antennas", "port 1 first; else two, 0.08 m to the left and to the right"}, world.radio->antennas,
-          [&](world::AntennaDescription& antenna) {
-            robot::xyz(v, {"at_m", "forward, left, up from the floor below the middle, m"}, antenna.at_m,
-                       {-1.0, 1.0});
-            robot::xyz(v, {"boresight", "direction in which it hears best"}, antenna.boresight, {-1.0, 1.0});
-            v.number({"gain_dbi", "dBi"}, antenna.gain_dbi, {-20.0, 30.0});
-            v.angle({"beam_width_deg", "between the directions of half power, degrees"},
-                    antenna.beam_width_rad, {1.0, 179.0});
-            v.number({"cable_delay_s", "reader and cable, counted once, s"}, antenna.cable_delay_s,
-                     {0.0, 1e-6});
-          });
+      v.choice({"mount", "of antennas that are not listed: two look up, or two ahead and two behind"},
+               world.radio->mounting, kMountWords);
+      v.list({"antennas", "port 1 first; else as mounted"},
+             world.radio->antennas, [&](world::AntennaDescription& antenna) {
+               robot::xyz(v, {"at_m", "forward, left, up from the floor below the middle, m"}, antenna.at_m,
+                   {-1.0, 1.0});
+               robot::xyz(v, {"boresight", "direction in which it hears best"}, antenna.boresight, {-1.0, 1.0});
+               v.number({"gain_dbi", "dBi"}, antenna.gain_dbi, {-20.0, 30.0});
+               v.angle({"beam_width_deg", "between the directions of half power, degrees"},
+                       antenna.beam_width_rad, {1.0, 179.0});
+               v.number({"cable_delay_s", "reader and cable, counted once, s"}, antenna.cable_delay_s,
+                        {0.0, 1e-6});
+             });
+      v.section({"faults", "of reader and cables; the robot is not told"},
+                [&] { reader_fault_fields(v, world.radio->faults); });
     });
   });
 }
@@ -183,7 +197,8 @@ void complete_radio(Scene& scene) {
     }
   }
   if (radio.antennas.empty()) {
-    radio.antennas = {{.at_m = {0.0, 0.08, 0.1}}, {.at_m = {0.0, -0.08, 0.1}}};
+    radio.antennas = radio.mounting == world::AntennaMounting::kRoof ? world::roof_of_antennas()
+                                                                      : world::pair_of_antennas();
   }
 }
 

@@ -117,6 +117,7 @@ void SceneChecks::by_itself() {
   shapes();
   figures();
   radio();
+  reader_faults();
   phase_mission();
 }
 

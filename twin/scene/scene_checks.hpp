@@ -37,7 +37,9 @@ class SceneChecks {
   void figures();
   void expectations();
   void radio();
+  void reader_faults();
   void phase_mission();
+  void exchanged_tags(const std::vector<std::string>& names);
   void carpet(const FloorPlan& floor);
   void furniture(const FloorPlan& floor);
   void markers(const FloorPlan& floor);

@@ -13,6 +13,8 @@
 namespace sensotwin::twin {
 namespace {
 
+/// The key of a variant that names another one.
+constexpr const char* kFrom = "from";
 constexpr const char* kExpected = "expected paths with values, such as mission.phase.controller: own";
 
 void put(YamlNode& root, YamlEntry change, const std::string& path, std::vector<Problem>& problems) {
@@ -42,6 +44,33 @@ void check_shape(const YamlEntry& variant, const std::string& path, std::vector<
   }
 }
 
+/// Does what the variant at `index` says, after what the one says that it goes on from.
+void apply(YamlNode& root, const std::vector<YamlEntry>& variants, std::size_t index,
+           std::vector<Problem>& problems) {
+  const std::string path = "variants." + variants[index].key;
+  for (const YamlEntry& change : variants[index].value.entries) {
+    if (change.key != kFrom) {
+      continue;
+    }
+    // Only one above, so that none goes on from itself.
+    const auto end = variants.begin() + static_cast<std::ptrdiff_t>(index);
+    const auto base = std::find_if(variants.begin(), end, [&](const YamlEntry& other) {
+      return change.value.kind == YamlKind::kText && other.key == change.value.text;
+    });
+    if (base == end) {
+      problems.push_back({change.value.place, path + ".from", "is " + change.value.describe(),
+                          "expected the name of a variant above this one"});
+      continue;
+    }
+    apply(root, variants, static_cast<std::size_t>(base - variants.begin()), problems);
+  }
+  for (const YamlEntry& change : variants[index].value.entries) {
+    if (change.key != kFrom) {
+      put(root, change, path, problems);
+    }
+  }
+}
+
 }  // namespace
 
 std::vector<std::string> take_variant(YamlNode& root, const std::string& chosen,
@@ -59,7 +88,8 @@ std::vector<std::string> take_variant(YamlNode& root, const std::string& chosen,
     root.entries.erase(section);
   }
   bool found = chosen.empty();
-  for (YamlEntry& variant : variants) {
+  for (std::size_t i = 0; i < variants.size(); ++i) {
+    const YamlEntry& variant = variants[i];
     const std::string path = "variants." + variant.key;
     if (std::find(names.begin(), names.end(), variant.key) != names.end()) {
       problems.push_back({variant.key_place, path, "is there twice", "expected a name of its own"});
@@ -69,9 +99,7 @@ std::vector<std::string> take_variant(YamlNode& root, const std::string& chosen,
     check_shape(variant, path, problems);
     if (variant.key == chosen) {
       found = true;
-      for (YamlEntry& change : variant.value.entries) {
-        put(root, std::move(change), path, problems);
-      }
+      apply(root, variants, i, problems);
     }
   }
   if (!found) {

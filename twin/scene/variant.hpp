@@ -16,6 +16,9 @@ namespace sensotwin::twin {
 ///     slow:                                          # twin run SCENE --variant slow
 ///       mission.phase.speed_mps: 0.1                 # a path as of --set: a value that replaces what is
 ///       there expect: { rmse_m: { max: 0.02 } }
+///     slow_and_noisy:
+///       from: slow                                   # a variant above: first what it says, then this
+///       world.radio.noise_scale: 3
 ///
 /// \param chosen  name of a variant; empty: the scene as it is
 /// \param problems  mistakes are appended with their places; values of variants that are not chosen are not

@@ -3,6 +3,7 @@
 
 #include <array>
 #include <cassert>
+#include <cmath>
 #include <utility>
 
 namespace sensotwin::world {
@@ -25,6 +26,26 @@ std::vector<double> shuffled_fcc_channels_hz(robot::RandomStream& random) {
 }
 
 }  // namespace
+
+std::vector<AntennaDescription> pair_of_antennas() {
+  return {{.at_m = {0.0, 0.08, 0.1}}, {.at_m = {0.0, -0.08, 0.1}}};
+}
+
+std::vector<AntennaDescription> roof_of_antennas() {
+  constexpr double kElevation_rad = robot::rad_from_deg(40.0);
+  constexpr double kBeside_m = 0.07;  // two plates of 0.13 m side by side
+  constexpr double kAhead_m = 0.06;   // their lower edge is then 0.10 m from the middle
+  constexpr double kHigh_m = 0.16;    // and just above the robot's 0.09 m
+  std::vector<AntennaDescription> antennas;
+  for (const double ahead : {1.0, -1.0}) {
+    for (const double left : {1.0, -1.0}) {
+      antennas.push_back(
+          {.at_m = {ahead * kAhead_m, left * kBeside_m, kHigh_m},
+           .boresight = {ahead * std::cos(kElevation_rad), 0.0, std::sin(kElevation_rad)}});
+    }
+  }
+  return antennas;
+}
 
 RadioDescription paper_radio() {
   return {};

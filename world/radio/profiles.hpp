@@ -24,4 +24,13 @@ namespace sensotwin::world {
 /// the short one. \pre antennas > 0
 [[nodiscard]] std::vector<double> measured_slots_s(std::size_t antennas);
 
+/// Left and right of the middle, 0.16 m apart (algorithms study, A.0), looking straight up.
+[[nodiscard]] std::vector<AntennaDescription> pair_of_antennas();
+
+/// Four patches like the S9025 of the data study (5.5 dBic; 0.13 m square by its name) on a ridge roof across
+/// the robot: ports 1 and 2 on the side that looks ahead, left and right; 3 and 4 on the side that looks
+/// behind. Boresights 40 degrees above the horizon, so that under a ceiling of 3 m a tag 8 m off (20 degrees
+/// high) and one overhead lose about the same. Just within the robot's outline, 0.21 m high.
+[[nodiscard]] std::vector<AntennaDescription> roof_of_antennas();
+
 }  // namespace sensotwin::world

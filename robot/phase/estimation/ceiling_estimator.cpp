@@ -251,6 +251,13 @@ void CeilingEstimator::drop(int id) {
   ++drops_;
 }
 
+void CeilingEstimator::seek_anew(int tag) {
+  if (filter_.knows(tag)) {
+    drop(tag);
+  }
+  release_bank(tag);
+}
+
 void CeilingEstimator::release_bank(int id) {
   Watched& tag = watched_[static_cast<std::size_t>(id)];
   if (tag.bank >= 0) {

@@ -83,6 +83,8 @@ class CeilingEstimator {
   void attend(std::span<const int> tags);
   /// One control step. \pre sensed.stamp is later than the last one
   void step(const PhaseSensed& sensed);
+  /// What is known of a tag's place is wrong: its next reads tell it anew.
+  void seek_anew(int tag);
 
   [[nodiscard]] Pose2 pose() const { return filter_.pose(); }
   [[nodiscard]] Eigen::Matrix3d pose_covariance() const { return filter_.pose_covariance(); }

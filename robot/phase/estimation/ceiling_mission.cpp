@@ -14,8 +14,8 @@ constexpr double kAtRest_m = 0.003;
 /// A leg shorter than this begins where it ends: it is reached as soon as the place is known.
 constexpr double kNoLeg_m = 0.3;
 constexpr double kTurned_rad = 0.015;  ///< a turn on the spot ends this near. Chosen: 1.5 cm per metre
-constexpr double kLooking_radps = 0.6;
 constexpr double kBacking_mps = 0.1;
+constexpr double kListening_radps = 0.3;  ///< chosen: twice round in the time until it gives up
 /// On the way to the first tag the line to it is drawn anew until this near, as its place becomes known.
 constexpr double kRedrawn_m = 0.6;
 
@@ -61,6 +61,12 @@ PhaseCommand CeilingMission::step(const PhaseSensed& sensed) {
   const WheelStep way = wheel_step(config_.estimator.wheels, sensed.counts_left, sensed.counts_right);
   step_m_ = way.forward_m;
   step_rad_ = way.turn_rad;
+  loudest_dbm_.reset();
+  for (const UhfRead& read : sensed.reads) {
+    if (read.epc == config_.route[destination()].epc) {
+      loudest_dbm_ = std::max(loudest_dbm_.value_or(read.rssi_dbm), read.rssi_dbm);
+    }
+  }
   hear_estimator();
   if (mode_ == CeilingMode::kFinished) {
     return {};
@@ -89,6 +95,8 @@ PhaseCommand CeilingMission::step(const PhaseSensed& sensed) {
     case CeilingMode::kSearching:
       return {search()};
     case CeilingMode::kWaiting:
+      // A reader that is there and hears nothing may hear a tag in another heading.
+      return {wheels_for(config_.follower, 0.0, reader_up_ ? kListening_radps : 0.0)};
     case CeilingMode::kFinished:
       break;
   }
@@ -103,21 +111,14 @@ WheelSpeeds CeilingMission::drive() {
       origin_M_m_ = estimator_.pose().p_m;
     }
   }
+  const TagEstimate sought = estimator_.tag(route_[destination()]);
   const std::optional<PathReference> path = reference(leg_);
-  if (path) {
+  if (path && !guesses(sought)) {
+    looking_.end();
     mode_ = CeilingMode::kDriving;
     return drive_to(*path);
   }
-  const TagEstimate sought = estimator_.tag(route_[destination()]);
-  if (!sought.heard) {
-    return {};  // stands until it is heard, or missed
-  }
-  if (leg_ == 0) {
-    // Nothing is known yet, and only a way tells it.
-    return wheels_for(config_.follower, config_.follower.speed_mps, 0.0);
-  }
-  mode_ = CeilingMode::kLooking;
-  return wheels_for(config_.follower, 0.0, kLooking_radps);
+  return look(sought);
 }
 
 bool CeilingMission::reached(const PathReference& path) const {
@@ -199,6 +200,7 @@ void CeilingMission::begin_leg(std::size_t leg) {
   origin_M_m_ = estimator_.pose().p_m;
   bumps_ = 0;
   silent_said_ = false;
+  looking_.end();
   order_judged_ = false;
   if (config_.path == TagPathKind::kCircleAbout) {
     const std::optional<PathReference> path = reference(leg);
@@ -210,7 +212,7 @@ void CeilingMission::begin_leg(std::size_t leg) {
 WheelSpeeds CeilingMission::turn() {
   const std::optional<PathReference> path = reference(leg_);
   if (!path) {
-    return wheels_for(config_.follower, 0.0, kLooking_radps);
+    return look(estimator_.tag(route_[destination()]));
   }
   const double error = wrap_angle(path->yaw_rad - estimator_.pose().yaw_rad);
   if (std::abs(error) < kTurned_rad) {

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "robot/phase/estimation/ceiling_mission_config.hpp"
+#include "robot/phase/estimation/tag_search.hpp"
 #include "robot/phase/phase_io.hpp"
 
 namespace sensotwin::robot {
@@ -63,6 +64,12 @@ class CeilingMission {
   void lose_tag(OnTagFault action);
   void skip();
   [[nodiscard]] WheelSpeeds search();
+  [[nodiscard]] bool in_hearing(const TagEstimate& tag) const;
+  /// When the tag was heard, or the leg began.
+  [[nodiscard]] Instant last_chance(const TagEstimate& sought) const;
+  /// The tag's place is a guess that no reads confirm: not worth driving to.
+  [[nodiscard]] bool guesses(const TagEstimate& sought) const;
+  [[nodiscard]] WheelSpeeds look(const TagEstimate& sought);
 
   // What is done.
   [[nodiscard]] WheelSpeeds drive();
@@ -96,6 +103,7 @@ class CeilingMission {
   int skipped_{0};
   bool silent_said_{false};
   bool reader_silent_{false};
+  bool reader_up_{true};
   Instant silent_since_;
   double blind_m_{0.0};
   int bumps_{0};
@@ -103,6 +111,8 @@ class CeilingMission {
   double step_m_{0.0};
   double step_rad_{0.0};
   double searched_rad_{0.0};
+  TagSearch looking_;
+  std::optional<double> loudest_dbm_;  ///< the destination's reads of this step
   bool order_judged_{false};
   double circled_rad_{0.0};  ///< kCircleAbout
   double last_bearing_rad_{0.0};

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <string>
+#include <vector>
 
 #include "robot/base/geometry.hpp"
 #include "robot/base/random.hpp"
@@ -136,6 +137,47 @@ TEST_F(CompassOnText, NeverCrashesOnNoiseAndHearsTheSentenceBehindIt) {
   step();
   ASSERT_TRUE(compass_.reading());
   EXPECT_NEAR(compass_.reading()->yaw_from_north_rad, kPi / 2, 1e-12);
+}
+
+/// A sentence of distances, framed.
+std::string distances(std::initializer_list<Distance> said) {
+  const Bytes bytes = encode_distances(std::vector<Distance>(said));
+  return {bytes.begin(), bytes.end()};
+}
+
+TEST_F(CompassOnText, GivesARoundOfItsRangefindersWhenTheLastOfThemHasSpoken) {
+  link_.says(distances({{0, 0.85}, {1, std::nullopt}, {2, 3.2}, {3, std::nullopt}, {4, 3.1}}));
+  step();
+  EXPECT_FALSE(compass_.sonars());
+  link_.says(distances({{5, 1.1}, {6, 0.87}}));
+  step();
+  ASSERT_TRUE(compass_.sonars());
+  EXPECT_EQ(compass_.sonars()->stamp, now_);
+  EXPECT_EQ(compass_.sonars()->range_m[0], 0.85);
+  EXPECT_FALSE(compass_.sonars()->range_m[1]);
+  EXPECT_EQ(compass_.sonars()->range_m[6], 0.87);
+  EXPECT_EQ(compass_.health().sonar_rounds, 1u);
+}
+
+TEST_F(CompassOnText, ForgetsRangesThatAreNoLongerTold) {
+  link_.says(distances({{0, 0.85}, {6, 0.87}}));
+  step();
+  for (int i = 0; i < 40; ++i) {
+    step();
+  }
+  EXPECT_FALSE(compass_.sonars()) << "600 ms old";
+  link_.says(distances({{6, 0.9}}));
+  step();
+  ASSERT_TRUE(compass_.sonars());
+  EXPECT_FALSE(compass_.sonars()->range_m[0]) << "its sentence got lost";
+  EXPECT_EQ(compass_.sonars()->range_m[6], 0.9);
+}
+
+TEST_F(CompassOnText, CountsDistancesThatItCannotRead) {
+  const Bytes broken = encode_nmea("YXXDR,D,1.0,f,S0");
+  link_.says({reinterpret_cast<const char*>(broken.data()), broken.size()});
+  step();
+  EXPECT_EQ(compass_.health().bad_distances, 1u);
 }
 
 }  // namespace

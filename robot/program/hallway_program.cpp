@@ -1,0 +1,71 @@
+// SPDX-License-Identifier: MIT
+#include "robot/program/hallway_program.hpp"
+
+#include <algorithm>
+
+namespace sensotwin::robot {
+
+HallwayProgram::HallwayProgram(const HallwayLinks& links, const HallwayProgramConfig& config)
+    : base_(links.base, config.base),
+      floor_reader_(links.floor_reader, config.floor_reader),
+      compass_(links.sensors),
+      mode_keeper_(config.base.mode) {
+  if (const auto* mission = std::get_if<HallwayMissionConfig>(&config.mission)) {
+    mission_.emplace(*mission);
+  } else {
+    survey_.emplace(std::get<HallwaySurveyConfig>(config.mission));
+  }
+}
+
+void HallwayProgram::step(Instant now) {
+  base_.step(now);
+  floor_reader_.step(now);
+  compass_.step(now);
+  gather_tags();
+  if (const RoombaState* state = base_.fresh()) {
+    state_ = *state;
+  }
+  if (state_) {
+    mode_keeper_.step(base_, *state_);
+  }
+  if (const RoombaState* state = base_.fresh()) {
+    sense(*state);
+    wheels_ = (mission_ ? mission_->step(sensed_) : survey_->step(sensed_)).wheels;
+    sensed_ = {};
+    // Refused while the robot is not ready; it stands then, and the encoders tell the mission so.
+    (void)base_.drive(wheels_);
+  }
+}
+
+void HallwayProgram::gather_tags() {
+  while (const auto event = floor_reader_.next_event()) {
+    if (const auto* identified = std::get_if<TagIdentified>(&*event)) {
+      sensed_.tag = identified->uid;
+    }
+  }
+}
+
+void HallwayProgram::sense(const RoombaState& state) {
+  sensed_.stamp = state.stamp;
+  if (state.encoders) {
+    if (last_counts_) {
+      sensed_.counts_left = state.encoders->left - last_counts_->left;
+      sensed_.counts_right = state.encoders->right - last_counts_->right;
+    }
+    last_counts_ = state.encoders;
+  }
+  sensed_.bump_left = state.bump_left;
+  sensed_.bump_right = state.bump_right;
+  if (const auto& reading = compass_.reading(); reading && reading->stamp > compass_stamp_) {
+    compass_stamp_ = reading->stamp;
+    sensed_.compass_rad = reading->yaw_from_north_rad;
+  }
+  if (const auto& round = compass_.sonars(); round && round->stamp > sonar_stamp_) {
+    sonar_stamp_ = round->stamp;
+    SonarRanges ranges;
+    std::copy_n(round->range_m.begin(), ranges.size(), ranges.begin());
+    sensed_.ranges_m = ranges;
+  }
+}
+
+}  // namespace sensotwin::robot

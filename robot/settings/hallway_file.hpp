@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <filesystem>
+#include <string>
+
+#include "robot/config/problem.hpp"
+#include "robot/topology/hallway_map.hpp"
+
+namespace sensotwin::robot {
+
+/// A hallway map as it is kept: the "database of map information" of Tsukiyama, section 3.
+///
+///     version: 1
+///     north_deg: 0                                   # the plan's north, counter-clockwise from magnetic
+///     north places:
+///       c:
+///         at_m: [7, -6]                              # x east, y north on the plan; may be left out
+///         N: { to: d, length_m: 6, tags: ["6"] }     # tags that are met on coming to c from the north
+///         E: { to: "?", tags: ["E004015012345678"] } # a hallway, and nobody knows where it leads
+///                                                    # no S, no W: no hallway, the paper's "-"
+///
+/// A tag is its number on the plan, in decimal digits, or its unique number, 16 hexadecimal ones.
+struct HallwayFile {
+  int version{1};
+  double north_rad{0.0};
+  HallwayMap map;
+};
+
+/// Reads strictly, and checks the map: every mistake in one pass, each with its place.
+/// \throws LoadError
+[[nodiscard]] HallwayFile read_hallway_file(const std::filesystem::path& file);
+[[nodiscard]] HallwayFile read_hallway_text(const std::string& text, const std::filesystem::path& file);
+
+/// Reads back to the same.
+[[nodiscard]] std::string hallway_yaml(const HallwayFile& hallways);
+
+}  // namespace sensotwin::robot

@@ -1,0 +1,97 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include "robot/base/time.hpp"
+#include "robot/topology/hallway_map.hpp"
+
+namespace sensotwin::robot {
+
+enum class HallwayEventKind : std::uint8_t {
+  kPlaced,         ///< knows where it is, after it did not
+  kRoute,          ///< a way was planned; value: its cost
+  kLeft,           ///< left a place by this side
+  kTag,            ///< a tag of the map; place: which it belongs to
+  kStrangeTag,     ///< a tag that no place has
+  kArrived,        ///< at this place, by its tag
+  kTagMissed,      ///< at this place, by what the sonars see; its tag was not read
+  kTurnedWrong,    ///< went by another side than was meant; it knows now which way it faces
+  kElsewhere,      ///< came to this place, which it did not head for
+  kWaiting,        ///< something stands in the way
+  kWentRound,      ///< it was passed
+  kBlocked,        ///< the hallway on this side is given up
+  kBumped,         ///< touched something
+  kMapWhole,       ///< of a survey: no hallway is left whose end is unknown
+  kGoal,           ///< at the goal
+  kNoWay,          ///< no free hallway leads to the goal: the mission ends here
+  kOnlyByUnknown,  ///< as kNoWay, but a hallway whose end is unknown might: the mission ends here
+  kLost,           ///< no place where there has to be one, and none found again: the mission ends here
+};
+
+/// The event as a person reads it, in lower case, without a full stop.
+[[nodiscard]] constexpr std::string_view words(HallwayEventKind kind) {
+  switch (kind) {
+    case HallwayEventKind::kPlaced:
+      return "found out where it is";
+    case HallwayEventKind::kRoute:
+      return "way planned";
+    case HallwayEventKind::kLeft:
+      return "left";
+    case HallwayEventKind::kTag:
+      return "read a tag";
+    case HallwayEventKind::kStrangeTag:
+      return "read a tag that the map does not know";
+    case HallwayEventKind::kArrived:
+      return "arrived, tag read";
+    case HallwayEventKind::kTagMissed:
+      return "arrived by the sonars, its tag was not read";
+    case HallwayEventKind::kTurnedWrong:
+      return "faced another way than it thought";
+    case HallwayEventKind::kElsewhere:
+      return "came to another place than meant";
+    case HallwayEventKind::kWaiting:
+      return "something stands in the way, waiting";
+    case HallwayEventKind::kWentRound:
+      return "went round it";
+    case HallwayEventKind::kBlocked:
+      return "hallway blocked";
+    case HallwayEventKind::kBumped:
+      return "touched something";
+    case HallwayEventKind::kMapWhole:
+      return "map whole";
+    case HallwayEventKind::kGoal:
+      return "at the goal";
+    case HallwayEventKind::kNoWay:
+      return "no free hallway leads to the goal, stopped";
+    case HallwayEventKind::kOnlyByUnknown:
+      return "only an unknown hallway might lead to the goal, stopped";
+    case HallwayEventKind::kLost:
+      return "lost, stopped";
+  }
+  return "";
+}
+
+struct HallwayEvent {
+  Instant stamp;
+  HallwayEventKind kind{HallwayEventKind::kRoute};
+  std::string place;  ///< name; empty where none is known
+  std::optional<CompassPoint> side{};
+  double value{0.0};
+};
+
+/// Events since they were last taken: a few for each hallway.
+class HallwayLog {
+ public:
+  void add(HallwayEvent event) { events_.push_back(std::move(event)); }
+  [[nodiscard]] std::vector<HallwayEvent> take() { return std::exchange(events_, {}); }
+
+ private:
+  std::vector<HallwayEvent> events_;
+};
+
+}  // namespace sensotwin::robot

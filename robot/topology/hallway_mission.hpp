@@ -1,0 +1,80 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+
+#include "robot/base/task.hpp"
+#include "robot/topology/hallway_map.hpp"
+#include "robot/topology/hallway_route.hpp"
+#include "robot/topology/hallway_walk.hpp"
+
+namespace sensotwin::robot {
+
+struct HallwayMissionConfig {
+  HallwayConfig robot;
+  HallwayMap map;
+  /// Where it stands at the beginning; nothing: in some hallway, and the first tag will tell (Tsukiyama,
+  /// section 3).
+  std::optional<NodeIndex> start;
+  NodeIndex goal{0};
+};
+
+/// For traces and pages.
+struct HallwayStatus {
+  std::optional<NodeIndex> place;        ///< last one it was at
+  std::optional<CompassPoint> leaving;   ///< by which side it went on
+  std::optional<NodeIndex> heading_for;  ///< next place
+  bool arrived{false};
+  bool stopped{false};  ///< ended before the goal; the log says why
+};
+
+/// The paper's navigation (section 3): find a way over the map, leave each place for the next sub-goal's
+/// compass point, follow the hallway until a tag says which place it comes to and from which side; "this
+/// process is repeated until the robot finds the goal".
+///
+/// What the paper leaves out: a tag that is not read is made up for by the junction that the sonars see where
+/// the map has one; a tag of another place than was meant sets the place right and plans anew; what stands in
+/// the way is waited for, gone round where there is room, and else the hallway is given up and another way
+/// planned. Each end that is not the goal is standing still with an entry in the log.
+///
+/// Neither copies nor moves: its behaviours hold references into it.
+class HallwayMission final : private PlaceWatcher {
+ public:
+  /// \pre the map is sound; start and goal are nodes of it
+  explicit HallwayMission(HallwayMissionConfig config);
+
+  /// One control step. \pre sensed.stamp is later than the last one
+  /// \returns the command that holds until the next call
+  HallwayCommand step(const HallwaySensed& sensed);
+
+  [[nodiscard]] bool done() const { return status_.arrived || status_.stopped; }
+  [[nodiscard]] const HallwayStatus& status() const { return status_; }
+  [[nodiscard]] const HallwayTracker& tracker() const { return walk_.tracker(); }
+  [[nodiscard]] const HallwayMap& map() const { return config_.map; }
+  [[nodiscard]] HallwayLog& log() { return walk_.log(); }
+
+ private:
+  Task<> run();
+  /// From anywhere: along the hallway until a tag tells.
+  Task<bool> find_place();
+  Task<bool> go_on(RouteStep step);
+  Task<> come_to(HallwayPassage passage, std::optional<NodeIndex> meant);
+
+  std::optional<HallwayPassage> by_tag(HallwayLeg& leg, TagNumber tag) override;
+  std::optional<HallwayPassage> by_sonar(const HallwayLeg& leg) override;
+  [[nodiscard]] HallwayLeg leg_of(NodeIndex from, CompassPoint exit) const;
+  void say(HallwayEventKind kind, std::optional<NodeIndex> place = {}, std::optional<CompassPoint> side = {},
+           double value = 0.0);
+  void stop(HallwayEventKind why);
+
+  HallwayMissionConfig config_;
+  HallwayWalk walk_;
+  HallwayStatus status_;
+  BlockedHallways blocked_;
+  bool started_{false};
+  Task<> script_;
+};
+
+}  // namespace sensotwin::robot

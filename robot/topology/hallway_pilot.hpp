@@ -1,0 +1,58 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "robot/base/task.hpp"
+#include "robot/topology/hallway_tracker.hpp"
+
+namespace sensotwin::robot {
+
+/// One control step's input and output, shared by everything that runs in it.
+struct HallwayStep {
+  HallwaySensed sensed;
+  HallwayCommand command;
+  StepSignal next;
+};
+
+/// Moves a robot through hallways: keeps to their middle, turns in junctions, passes what stands in the way.
+class HallwayPilot {
+ public:
+  HallwayPilot(const HallwayConfig& config, HallwayTracker& tracker, HallwayStep& step)
+      : config_(config), tracker_(tracker), step_(step) {}
+
+  /// One step along the hallway: sets the wheel command. \param speed_mps  towards which the speed is ramped
+  void follow(double speed_mps);
+  /// How far left of the middle follow() keeps. 0 unless something is being passed.
+  void keep_left_m(double left_m) { keep_left_m_ = left_m; }
+
+  Task<> brake();
+  /// On the spot, until it heads for that point.
+  Task<> turn_to(CompassPoint point);
+  /// So far along the hallway, or until something is nearer ahead than the shell's own clearance.
+  Task<> advance(double way_m);
+  /// Straight back, blind.
+  Task<> back(double way_m);
+  Task<> wait(Duration time);
+  /// Swings out to the side of what stands ahead, past it and back to the middle, when there is room.
+  /// \param left  which side to try
+  /// \returns whether it got past
+  Task<bool> pass_on(bool left);
+
+  [[nodiscard]] bool bumped() const { return step_.sensed.bump_left || step_.sensed.bump_right; }
+  /// Something stands so near ahead that it has to stop.
+  [[nodiscard]] bool in_the_way() const {
+    return bumped() || tracker_.ahead_m().value_or(config_.sonar_range_m) < config_.stop_m;
+  }
+
+ private:
+  void command(double speed_mps, double turn_radps);
+  [[nodiscard]] double ramped(double speed_mps) const;
+  Task<> turn_by_heading(double heading_rad);
+
+  const HallwayConfig& config_;
+  HallwayTracker& tracker_;
+  HallwayStep& step_;
+  double speed_mps_{0.0};
+  double keep_left_m_{0.0};
+};
+
+}  // namespace sensotwin::robot

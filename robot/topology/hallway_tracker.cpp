@@ -1,0 +1,221 @@
+// SPDX-License-Identifier: MIT
+#include "robot/topology/hallway_tracker.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <span>
+#include <utility>
+
+namespace sensotwin::robot {
+namespace {
+
+/// Of each compass reading. Chosen: at 10 Hz the heading follows within five seconds, and a reading's degree
+/// of noise shrinks to a tenth.
+constexpr double kCompassGain = 0.02;
+/// A compass so far off is disturbed. Chosen: 20 times its noise.
+constexpr double kDisturbed_rad = rad_from_deg(20.0);
+/// Of each slope; a slope over 0.5 m with 1 cm of noise is good to 1.5 degrees, and neighbours share
+/// readings.
+constexpr double kWallGain = 0.06;
+constexpr double kSlopeWay_m = 0.5;
+/// A wall does not jump; a doorway's edge does. Chosen: five times the noise of a reading.
+constexpr double kJump_m = 0.05;
+/// Of each sight of a wall. Chosen: noise of 1 cm shrinks to 4 mm.
+constexpr double kSightGain = 0.3;
+/// A wall that is not seen for less is still there: echoes get lost. Chosen: three readings.
+constexpr double kBlink_m = 0.10;
+/// Walls are believed while the robot goes along them. Chosen: cosines differ from 1 by 3 %.
+constexpr double kAlong_rad = rad_from_deg(15.0);
+/// Farther than this beyond where the wall should be, there is an opening. Chosen.
+constexpr double kOpening_m = 0.5;
+/// Readings without a jump that make a wall, and a wall that the width may be measured by. Chosen: 0.1 and
+/// 0.25 m of way.
+constexpr std::size_t kWall = 3;
+constexpr std::size_t kFirm = 8;
+/// Of the measured width. Chosen: a second's readings.
+constexpr double kWidthGain = 0.1;
+
+}  // namespace
+
+HallwayTracker::HallwayTracker(const HallwayConfig& config)
+    : config_(config), width_m_(config.hallway_width_m) {}
+
+void HallwayTracker::enter(CompassPoint axis) {
+  axis_ = axis;
+  way_m_ = 0.0;
+  width_m_ = config_.hallway_width_m;
+  flanks_ = {};
+}
+
+void HallwayTracker::correct(int quarter_turns_right) {
+  if (heading_rad_) {
+    heading_rad_ = wrap_angle(*heading_rad_ - 0.5 * kPi * quarter_turns_right);
+  }
+}
+
+double HallwayTracker::off_axis_rad() const {
+  return wrap_angle(heading_rad_.value_or(0.0) - yaw_rad_of(*axis_));
+}
+
+void HallwayTracker::step(const HallwaySensed& sensed) {
+  const double left_m = sensed.counts_left * config_.metres_per_count;
+  const double right_m = sensed.counts_right * config_.metres_per_count;
+  way_m_ += 0.5 * (left_m + right_m);
+  if (axis_ && heading_rad_) {
+    const double leftwards_m = 0.5 * (left_m + right_m) * std::sin(off_axis_rad());
+    flanks_[0].moved_m += leftwards_m;
+    flanks_[1].moved_m -= leftwards_m;
+  }
+  if (heading_rad_) {
+    heading_rad_ = wrap_angle(*heading_rad_ + (right_m - left_m) / config_.wheel_base_m);
+  }
+  if (sensed.compass_rad) {
+    take_compass(*sensed.compass_rad);
+  }
+  if (sensed.ranges_m) {
+    take_ranges(*sensed.ranges_m);
+  }
+}
+
+void HallwayTracker::take_compass(double compass_rad) {
+  const double measured_rad = wrap_angle(compass_rad - config_.plan_north_rad);
+  if (!heading_rad_) {
+    heading_rad_ = measured_rad;
+    return;
+  }
+  const double off_rad = wrap_angle(measured_rad - *heading_rad_);
+  if (std::abs(off_rad) < kDisturbed_rad) {
+    heading_rad_ = wrap_angle(*heading_rad_ + kCompassGain * off_rad);
+  }
+}
+
+void HallwayTracker::take_ranges(const SonarRanges& ranges_m) {
+  ahead_m_.reset();
+  for (std::size_t i = 0; i < kSonars; ++i) {
+    // What the robot would touch if it went straight on: in a strip as wide as itself.
+    const double bearing_rad = config_.sonar_bearings_rad[i];
+    if (!ranges_m[i] || std::abs(bearing_rad) > 0.25 * kPi) {
+      continue;
+    }
+    const double from_middle_m = *ranges_m[i] + config_.sonar_radius_m;
+    if (from_middle_m * std::abs(std::sin(bearing_rad)) > config_.radius_m + 0.05) {
+      continue;
+    }
+    const double free_m = from_middle_m * std::cos(bearing_rad) - config_.radius_m;
+    ahead_m_ = std::max(0.0, std::min(ahead_m_.value_or(free_m), free_m));
+  }
+  if (axis_ && heading_rad_ && std::abs(off_axis_rad()) < kAlong_rad) {
+    take_side(flanks_[0], ranges_m.front());
+    take_side(flanks_[1], ranges_m.back());
+    take_slope(0);
+    take_slope(1);
+    if (flanks_[0].sights > kFirm && flanks_[1].sights > kFirm) {
+      width_m_ += kWidthGain * (*left().distance_m + *right().distance_m - width_m_);
+    }
+  } else {
+    for (Flank& flank : flanks_) {
+      flank.wall.distance_m.reset();
+      flank.sights = 0;
+      flank.seen = 0;
+    }
+  }
+}
+
+void HallwayTracker::take_side(Flank& flank, const std::optional<double>& range_m) {
+  const double moved_m = std::exchange(flank.moved_m, 0.0);
+  std::optional<double> nearest_m;
+  if (range_m) {
+    nearest_m = *range_m + config_.sonar_radius_m;
+  }
+  WallSide& wall = flank.wall;
+  if (!wall.distance_m) {
+    if (flank.candidate_m) {
+      *flank.candidate_m -= moved_m;
+    }
+    look_for_wall(flank, nearest_m);
+    return;
+  }
+  *wall.distance_m -= moved_m;
+  if (nearest_m && std::abs(*nearest_m - *wall.distance_m) < kJump_m) {
+    see_wall(flank, *nearest_m);
+    return;
+  }
+  if (way_m_ - flank.seen_at_m > kBlink_m) {
+    wall.distance_m.reset();
+    flank.sights = 0;
+    flank.seen = 0;
+    look_for_wall(flank, nearest_m);
+  }
+}
+
+void HallwayTracker::see_wall(Flank& flank, double distance_m) {
+  WallSide& wall = flank.wall;
+  wall.distance_m = *wall.distance_m + kSightGain * (distance_m - *wall.distance_m);
+  wall.open_for_m = 0.0;
+  flank.seen_at_m = way_m_;
+  if (flank.sights == flank.trail.size()) {
+    std::copy(flank.trail.begin() + 1, flank.trail.end(), flank.trail.begin());
+    --flank.sights;
+  }
+  flank.trail[flank.sights++] = {way_m_, distance_m, off_axis_rad()};
+}
+
+void HallwayTracker::look_for_wall(Flank& flank, const std::optional<double>& nearest_m) {
+  if (!nearest_m || *nearest_m > 0.5 * width_m_ + kOpening_m) {
+    flank.wall.open_for_m = way_m_ - flank.seen_at_m;
+    flank.candidate_m.reset();
+    return;
+  }
+  const bool same = flank.candidate_m && std::abs(*nearest_m - *flank.candidate_m) < kJump_m;
+  flank.seen = same ? flank.seen + 1 : 1;
+  flank.candidate_m = nearest_m;
+  if (flank.seen >= kWall) {
+    flank.wall.distance_m = nearest_m;
+    flank.candidate_m.reset();
+    see_wall(flank, *nearest_m);
+  }
+}
+
+void HallwayTracker::take_slope(std::size_t side) {
+  const Flank& flank = flanks_[side];
+  const std::span<const Sight> trail{flank.trail.data(), flank.sights};
+  if (trail.size() < kFirm || trail.back().way_m - trail.front().way_m < kSlopeWay_m) {
+    return;
+  }
+  double way = 0.0;
+  double distance = 0.0;
+  double headed = 0.0;
+  for (const Sight& sight : trail) {
+    way += sight.way_m;
+    distance += sight.distance_m;
+    headed += sight.off_axis_rad;
+  }
+  const auto n = static_cast<double>(trail.size());
+  double both = 0.0;
+  double squares = 0.0;
+  for (const Sight& sight : trail) {
+    const double off = sight.way_m - way / n;
+    both += off * (sight.distance_m - distance / n);
+    squares += off * off;
+  }
+  // Going to the left, the left wall comes nearer and the right one goes away.
+  const double slope_rad = (side == 0 ? -1.0 : 1.0) * both / squares;
+  heading_rad_ = wrap_angle(*heading_rad_ + kWallGain * (slope_rad - headed / n));
+}
+
+std::optional<double> HallwayTracker::left_of_middle_m() const {
+  const std::optional<double>& to_left_m = left().distance_m;
+  const std::optional<double>& to_right_m = right().distance_m;
+  if (to_left_m && to_right_m) {
+    return 0.5 * (*to_right_m - *to_left_m);
+  }
+  if (to_left_m) {
+    return 0.5 * width_m_ - *to_left_m;
+  }
+  if (to_right_m) {
+    return *to_right_m - 0.5 * width_m_;
+  }
+  return std::nullopt;
+}
+
+}  // namespace sensotwin::robot

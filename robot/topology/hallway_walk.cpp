@@ -1,0 +1,103 @@
+// SPDX-License-Identifier: MIT
+#include "robot/topology/hallway_walk.hpp"
+
+#include <algorithm>
+#include <utility>
+
+namespace sensotwin::robot {
+namespace {
+
+/// What a sonar of 15 degrees does not see of an opening at each of its ends, in parts of the distance.
+constexpr double kConeTangent = 0.268;
+/// Back from what was touched. Chosen: the forward sonars see it from there.
+constexpr double kBackOff_m = 0.10;
+
+}  // namespace
+
+bool HallwayWalk::take(const HallwaySensed& sensed) {
+  step_.sensed = sensed;
+  tracker_.step(sensed);
+  if (sensed.tag) {
+    tag_ = sensed.tag;
+  }
+  return tracker_.heading_rad().has_value();
+}
+
+Task<HallwayPassage> HallwayWalk::along(HallwayLeg leg, PlaceWatcher& watcher) {
+  tracker_.enter(leg.heading);
+  tag_.reset();
+  const double longest_m =
+      leg.length_m ? *leg.length_m * (1.0 + config_.length_slack) + config_.overshoot_m : config_.longest_m;
+  HallwayPassage passage;
+  while (tracker_.way_m() < longest_m) {
+    pilot_.follow(config_.speed_mps);
+    co_await step_.next;
+    const std::optional<TagNumber> tag = std::exchange(tag_, std::nullopt);
+    std::optional<HallwayPassage> found = tag ? watcher.by_tag(leg, *tag) : std::nullopt;
+    if (!found) {
+      found = watcher.by_sonar(leg);
+    }
+    if (found) {
+      found->way_m = tracker_.way_m();
+      co_return *found;
+    }
+    if (pilot_.in_the_way()) {
+      const bool gone = co_await past_obstacle();
+      if (!gone) {
+        passage.end = PassageEnd::kBlocked;
+        break;
+      }
+    }
+  }
+  co_await pilot_.brake();
+  passage.way_m = tracker_.way_m();
+  co_return passage;
+}
+
+Task<bool> HallwayWalk::past_obstacle() {
+  if (pilot_.bumped()) {
+    say(HallwayEventKind::kBumped);
+    co_await pilot_.back(kBackOff_m);
+  }
+  co_await pilot_.brake();
+  say(HallwayEventKind::kWaiting);
+  co_await pilot_.wait(config_.patience);
+  if (!pilot_.in_the_way()) {
+    co_return true;
+  }
+  // The side with more room between the robot and its wall first.
+  const bool left_first = tracker_.left_of_middle_m().value_or(0.0) >= 0.0;
+  for (const bool left : {left_first, !left_first}) {
+    const bool passed = co_await pilot_.pass_on(left);
+    if (passed) {
+      say(HallwayEventKind::kWentRound);
+      co_return true;
+    }
+  }
+  co_return false;
+}
+
+std::optional<double> HallwayWalk::opening_ahead_m(bool left, bool right) const {
+  const double open_m =
+      std::max(left ? tracker_.left().open_for_m : 0.0, right ? tracker_.right().open_for_m : 0.0);
+  if (open_m <= config_.opening_m) {
+    return std::nullopt;
+  }
+  // The edge was seen for so long after it had been passed.
+  const double since_edge_m = open_m + kConeTangent * 0.5 * tracker_.width_m();
+  return std::max(0.0, 0.5 * config_.hallway_width_m - since_edge_m);
+}
+
+std::optional<double> HallwayWalk::end_ahead_m() const {
+  if (!pilot_.in_the_way() || pilot_.bumped()) {
+    return std::nullopt;
+  }
+  return std::max(0.0, tracker_.ahead_m().value_or(0.0) + config_.radius_m - 0.5 * config_.hallway_width_m);
+}
+
+void HallwayWalk::say(HallwayEventKind kind, std::string place, std::optional<CompassPoint> side,
+                      double value) {
+  log_.add({step_.sensed.stamp, kind, std::move(place), side, value});
+}
+
+}  // namespace sensotwin::robot

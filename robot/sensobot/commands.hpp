@@ -45,6 +45,17 @@ struct CheckCommandOptions {
 [[nodiscard]] ExitCode check_command(const CheckCommandOptions& options,
                                      const SensobotEnvironment& environment);
 
+struct CalibrateCommandOptions {
+  std::filesystem::path robot;
+  std::optional<std::filesystem::path> devices{};
+  int turns{5};
+  int tags{4};
+  double rate{1.0};
+  bool json{false};
+};
+[[nodiscard]] ExitCode calibrate_command(const CalibrateCommandOptions& options,
+                                         const SensobotEnvironment& environment);
+
 struct ReplayCommandOptions {
   std::filesystem::path journal;
   bool json{false};

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "robot/sensobot/devices.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <utility>
 
@@ -75,6 +77,32 @@ CardLink& Devices::card_or_none(const char* name) {
 RobotLinks Devices::links() {
   return {port_or_none(kBaseName), port_or_none(kSensorsName), port_or_none(kUhfReaderName),
           card_or_none(kFloorReaderName), card_or_none(kForwardReaderName)};
+}
+
+std::optional<ExitCode> Devices::wait_for_all(const MonotonicClock& clock, Duration longest,
+                                              const std::function<std::optional<ExitCode>()>& interruption,
+                                              const std::function<void(std::string_view)>& say) {
+  const Instant by = clock.now() + longest;
+  for (Instant next = clock.now();; next += kTick) {
+    keep(clock.now());
+    const std::vector<DeviceState> now = states();
+    if (std::all_of(now.begin(), now.end(), [](const DeviceState& device) { return device.up; })) {
+      return std::nullopt;
+    }
+    if (const auto code = interruption()) {
+      return code;
+    }
+    if (clock.now() >= by) {
+      for (const DeviceState& device : now) {
+        if (!device.up) {
+          say(fmt::format("{} ({}) is not there: {}; {}", device.name, device.address, device.trouble,
+                          device.remedy));
+        }
+      }
+      return ExitCode::kUnavailable;
+    }
+    clock.wait_until(next + kTick);
+  }
 }
 
 std::vector<DeviceState> Devices::states() const {

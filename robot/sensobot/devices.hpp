@@ -6,11 +6,14 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "robot/hal/no_device.hpp"
+#include "robot/output/exit_codes.hpp"
 #include "robot/ports/card_port.hpp"
 #include "robot/ports/card_session.hpp"
+#include "robot/ports/monotonic_clock.hpp"
 #include "robot/ports/port.hpp"
 #include "robot/settings/robot_file.hpp"
 #include "robot/settings/robot_program.hpp"
@@ -42,6 +45,14 @@ class Devices {
   /// Once a step, before the program. \param now  never earlier than before
   void keep(Instant now);
   [[nodiscard]] RobotLinks links();
+  /// Waits until all are there.
+  /// \param longest       of the clock's time
+  /// \param interruption  asked every step
+  /// \returns nothing when they are; else how the program ends, and it was said why
+  [[nodiscard]] std::optional<ExitCode> wait_for_all(
+      const MonotonicClock& clock, Duration longest,
+      const std::function<std::optional<ExitCode>()>& interruption,
+      const std::function<void(std::string_view)>& say);
   /// Of those that the file names, in its order.
   [[nodiscard]] std::vector<DeviceState> states() const;
 

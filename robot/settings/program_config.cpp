@@ -2,6 +2,7 @@
 #include "robot/settings/program_config.hpp"
 
 #include <algorithm>
+#include <chrono>
 #include <cmath>
 #include <numeric>
 
@@ -81,6 +82,9 @@ CeilingMissionConfig own_of(const RobotSettings& settings) {
 
 RoombaConfig base_config_of(const BaseSettings& base) {
   RoombaConfig config;
+  // Seen at the next step, so the wheels stand within 90 ms of the last frame and what the stop takes on the
+  // line. Chosen: four frames lost in a row are forgiven.
+  config.stream_timeout = std::chrono::milliseconds{75};
   if (base.firmware == BaseFirmware::kWifi) {
     config.mode_report_offset = 1;
   }

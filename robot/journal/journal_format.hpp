@@ -22,7 +22,7 @@
 /// block is one step of the program ('T') or its end ('E', shut_down()); records stand in the order in which
 /// the program asked, which is the order in which a replay answers. What a wire says is written down when it
 /// differs from what it said before: an empty read, a state unchanged take no room. A Roomba's stream makes
-/// 7 kB a second (measured: docs/sensobot.md).
+/// 9 kB a second (docs/sensobot.md).
 ///
 /// A file that ends in mid-block was cut off by a crash; the blocks before it are good.
 namespace sensotwin::robot {

@@ -7,6 +7,13 @@ void ModeKeeper::step(Roomba& base, const RoombaState& state) {
   const bool docked =
       state.charging != oi::ChargingState::kNotCharging ||
       (state.extended && (state.extended->on_home_base || state.extended->on_internal_charger));
+  if (base.status() != RoombaStatus::kStreamLost) {
+    silent_steps_ = 0;
+  } else if (++silent_steps_ >= kSilentSteps) {
+    silent_steps_ = 0;
+    base.rearm();
+    return;
+  }
   const bool lifted = state.wheel_drop_left || state.wheel_drop_right;
   const bool waiting = base.status() == RoombaStatus::kModeLost || base.status() == RoombaStatus::kStarting;
   if (docked && waiting && !undocking_) {

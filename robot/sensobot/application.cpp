@@ -56,10 +56,25 @@ void add_check(CLI::App& app, CheckCommandOptions& options) {
   app.add_flag("--json", options.json, "What was found as JSON on stdout");
 }
 
+void add_calibrate(CLI::App& app, CalibrateCommandOptions& options) {
+  add_robot_options(app, options);
+  app.add_option("--turns", options.turns, "Turns each way round, for the wheel base; 0: none (5)")
+      ->option_text("N")
+      ->check(CLI::Range(0, 100));
+  app.add_option("--tags", options.tags, "Tiles to drive over and back, for the wheels; 0: none (4)")
+      ->option_text("N")
+      ->check(CLI::Range(0, 100));
+  app.add_option("--rate", options.rate, "Seconds of the robot in one of the clock: the --rtf of twin serve")
+      ->option_text("X")
+      ->check(CLI::Range(0.01, 1000.0));
+  app.add_flag("--json", options.json, "The figures as JSON on stdout");
+}
+
 /// Every command with its options, and what it does.
 struct Commands {
   RunCommandOptions run;
   CheckCommandOptions check;
+  CalibrateCommandOptions calibrate;
   ReplayCommandOptions replay;
   ShowCommandOptions show;
 
@@ -73,6 +88,12 @@ struct Commands {
     sub = app.add_subcommand("check", "test every device, moving nothing, and print what was found");
     sub->footer("sensobot check robot.yaml\nsensobot check robot.yaml --json | jq .devices");
     add_check(*sub, check);
+    sub =
+        app.add_subcommand("calibrate", "measure wheel base and wheels by turning and by driving over tags");
+    sub->footer(
+        "sensobot calibrate robot.yaml               # over a tag, four more ahead of it in a row\n"
+        "sensobot calibrate robot.yaml --tags 0      # the wheel base alone, anywhere");
+    add_calibrate(*sub, calibrate);
     sub = app.add_subcommand("replay", "run the program of a journal again and compare its commands");
     sub->footer("sensobot replay runs/kitchen/journal");
     sub->add_option("journal", replay.journal, "What sensobot run or twin run --journal wrote")
@@ -90,6 +111,9 @@ struct Commands {
     }
     if (command == "check") {
       return check_command(check, environment);
+    }
+    if (command == "calibrate") {
+      return calibrate_command(calibrate, environment);
     }
     return command == "replay" ? replay_command(replay, environment) : show_command(show, environment);
   }

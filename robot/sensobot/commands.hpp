@@ -8,6 +8,7 @@
 #include <string>
 
 #include "robot/output/exit_codes.hpp"
+#include "robot/ports/card_session.hpp"
 
 /// What can be asked of `sensobot`. Each deed throws LoadError and OutputError.
 namespace sensotwin::robot {
@@ -17,6 +18,7 @@ struct SensobotEnvironment {
   std::ostream& out;                 ///< stdout: results
   std::ostream& err;                 ///< stderr: what is said on the way
   std::function<std::string()> utc;  ///< now, as "20260131T235959Z"
+  CardService card_service{begin_pcsc_session};
 };
 
 struct RunCommandOptions {
@@ -42,6 +44,17 @@ struct CheckCommandOptions {
 };
 [[nodiscard]] ExitCode check_command(const CheckCommandOptions& options,
                                      const SensobotEnvironment& environment);
+
+struct CalibrateCommandOptions {
+  std::filesystem::path robot;
+  std::optional<std::filesystem::path> devices{};
+  int turns{5};
+  int tags{4};
+  double rate{1.0};
+  bool json{false};
+};
+[[nodiscard]] ExitCode calibrate_command(const CalibrateCommandOptions& options,
+                                         const SensobotEnvironment& environment);
 
 struct ReplayCommandOptions {
   std::filesystem::path journal;

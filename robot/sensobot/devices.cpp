@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "robot/sensobot/devices.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <utility>
 
@@ -9,16 +11,6 @@
 #include "robot/wire/sci.hpp"
 
 namespace sensotwin::robot {
-namespace {
-
-constexpr const char* kBase = "the Roomba";
-constexpr const char* kSensors = "the sensor board";
-constexpr const char* kUhfReader = "the UHF reader";
-constexpr const char* kFloorReader = "the floor reader";
-constexpr const char* kForwardReader = "the forward reader";
-
-}  // namespace
-
 Devices::Devices(const RobotFile& robot, const CardService& service, std::function<void(int)> on_base_open) {
   const DeviceAddresses& at = robot.devices;
   const std::string serial_remedy =
@@ -28,11 +20,12 @@ Devices::Devices(const RobotFile& robot, const CardService& service, std::functi
     if (robot.settings.base.kind == BaseKind::kRoomba400) {
       config.baud = sci::kBaud;
     }
-    slots_.push_back({kBase, *at.base, serial_remedy, std::make_unique<SerialPort>(std::move(config)), {}});
+    slots_.push_back(
+        {kBaseName, *at.base, serial_remedy, std::make_unique<SerialPort>(std::move(config)), {}});
   }
   if (at.sensors) {
     slots_.push_back(
-        {kSensors,
+        {kSensorsName,
          *at.sensors,
          serial_remedy,
          std::make_unique<SerialPort>(SerialPortConfig{.path = *at.sensors, .baud = at.sensors_baud}),
@@ -40,7 +33,7 @@ Devices::Devices(const RobotFile& robot, const CardService& service, std::functi
   }
   if (at.llrp) {
     const TcpAddress address = tcp_address(*at.llrp).value_or(TcpAddress{*at.llrp});
-    slots_.push_back({kUhfReader,
+    slots_.push_back({kUhfReaderName,
                       *at.llrp,
                       "is it switched on and in the same network, and is no other program connected to it?",
                       std::make_unique<TcpPort>(TcpPortConfig{.address = address}),
@@ -54,10 +47,10 @@ Devices::Devices(const RobotFile& robot, const CardService& service, std::functi
                       std::make_unique<CardPort>(CardPortConfig{.reader = reader}, service)});
   };
   if (!at.card_readers.empty()) {
-    add_card(kFloorReader, at.card_readers[0]);
+    add_card(kFloorReaderName, at.card_readers[0]);
   }
   if (at.card_readers.size() > 1) {
-    add_card(kForwardReader, at.card_readers[1]);
+    add_card(kForwardReaderName, at.card_readers[1]);
   }
 }
 
@@ -82,8 +75,34 @@ CardLink& Devices::card_or_none(const char* name) {
 }
 
 RobotLinks Devices::links() {
-  return {port_or_none(kBase), port_or_none(kSensors), port_or_none(kUhfReader), card_or_none(kFloorReader),
-          card_or_none(kForwardReader)};
+  return {port_or_none(kBaseName), port_or_none(kSensorsName), port_or_none(kUhfReaderName),
+          card_or_none(kFloorReaderName), card_or_none(kForwardReaderName)};
+}
+
+std::optional<ExitCode> Devices::wait_for_all(const MonotonicClock& clock, Duration longest,
+                                              const std::function<std::optional<ExitCode>()>& interruption,
+                                              const std::function<void(std::string_view)>& say) {
+  const Instant by = clock.now() + longest;
+  for (Instant next = clock.now();; next += kTick) {
+    keep(clock.now());
+    const std::vector<DeviceState> now = states();
+    if (std::all_of(now.begin(), now.end(), [](const DeviceState& device) { return device.up; })) {
+      return std::nullopt;
+    }
+    if (const auto code = interruption()) {
+      return code;
+    }
+    if (clock.now() >= by) {
+      for (const DeviceState& device : now) {
+        if (!device.up) {
+          say(fmt::format("{} ({}) is not there: {}; {}", device.name, device.address, device.trouble,
+                          device.remedy));
+        }
+      }
+      return ExitCode::kUnavailable;
+    }
+    clock.wait_until(next + kTick);
+  }
 }
 
 std::vector<DeviceState> Devices::states() const {

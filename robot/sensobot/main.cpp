@@ -22,5 +22,5 @@ std::string utc_now() {
 
 int main(int argc, char** argv) {
   install_machine_signal_handlers();
-  return as_int(run_sensobot({argv + 1, argv + argc}, {std::cout, std::cerr, utc_now}));
+  return as_int(run_sensobot({argv + 1, argv + argc}, {.out = std::cout, .err = std::cerr, .utc = utc_now}));
 }

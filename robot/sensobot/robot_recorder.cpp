@@ -36,7 +36,7 @@ Json map_json(const RobotFile& robot, MappingProgram& program, double run_s) {
 
 Json path_json(const RobotFile& robot, const PhaseProgram& program, int reached, int skipped, double run_s) {
   return {{"controller", program.fuzzy() != nullptr ? "fuzzy" : "own"},
-          {"arrived", program.arrived()},
+          {"arrived", program.arrived() ? 1 : 0},
           {"destinations", destinations_of(robot.settings).size()},
           {"tags_reached", reached},
           {"tags_skipped", skipped},

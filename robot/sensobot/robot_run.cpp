@@ -4,17 +4,15 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cstring>
 #include <memory>
 #include <utility>
 #include <vector>
 
-#include "robot/drivers/emergency_stop.hpp"
-#include "robot/output/output_error.hpp"
 #include "robot/ports/guardian.hpp"
 #include "robot/ports/monotonic_clock.hpp"
 #include "robot/replay/journal_file.hpp"
 #include "robot/replay/wiring.hpp"
+#include "robot/sensobot/base_guardian.hpp"
 #include "robot/sensobot/devices.hpp"
 #include "robot/sensobot/robot_recorder.hpp"
 #include "robot/settings/robot_program.hpp"
@@ -30,17 +28,6 @@ constexpr int kTellEvery = 2000;
 constexpr Duration kFirstFrameBy = std::chrono::seconds{3};
 /// What is said last has left the queues by then. Chosen.
 constexpr Duration kLastWords = std::chrono::milliseconds{45};
-
-Guardian begin_guardian() {
-  auto guardian = Guardian::begin({.stop = emergency_stop(), .farewell = emergency_farewell()});
-  if (!guardian) {
-    // NOLINTNEXTLINE(concurrency-mt-unsafe): read at once
-    throw OutputError(ExitCode::kInternal,
-                      std::string{"cannot begin the process that stops the robot when this one dies: "} +
-                          std::strerror(guardian.error()));
-  }
-  return std::move(*guardian);
-}
 
 /// One run, from the opening of the ports on.
 class Run {
@@ -101,30 +88,13 @@ class Run {
 
   /// Nothing moves before every device is there.
   ExitCode wait_for_devices() {
-    const Instant by = clock_.now() + paced(from_s(options_.wait_s));
-    for (Instant next = clock_.now();; next += kTick) {
-      devices_.keep(clock_.now());
-      const std::vector<DeviceState> states = devices_.states();
-      const bool all = std::all_of(states.begin(), states.end(), [](const DeviceState& d) { return d.up; });
-      if (all) {
-        begun_ = clock_.now();
-        return ExitCode::kDone;
-      }
-      if (const auto code = options_.interruption()) {
-        return interrupted(*code);
-      }
-      if (clock_.now() >= by) {
-        for (const DeviceState& device : states) {
-          if (!device.up) {
-            say(fmt::format("{} ({}) is not there: {}; {}", device.name, device.address, device.trouble,
-                            device.remedy));
-          }
-        }
-        figures_.outcome = "device_missing";
-        return ExitCode::kUnavailable;
-      }
-      clock_.wait_until(next + kTick);
+    const auto code = devices_.wait_for_all(clock_, paced(from_s(options_.wait_s)), options_.interruption,
+                                            [this](std::string_view line) { say(std::string{line}); });
+    begun_ = clock_.now();
+    if (code) {
+      figures_.outcome = *code == ExitCode::kUnavailable ? "device_missing" : "interrupted";
     }
+    return code.value_or(ExitCode::kDone);
   }
 
   ExitCode drive() {
@@ -261,7 +231,7 @@ class Run {
 }  // namespace
 
 RobotRunResult run_robot(const RobotFile& robot, RunFolder& folder, const RobotRunOptions& options) {
-  Guardian guardian = begin_guardian();
+  Guardian guardian = begin_base_guardian();
   Run run(robot, folder, options, guardian);
   return run.go();
 }

@@ -2,6 +2,8 @@
 #include "robot/settings/program_config.hpp"
 
 #include <algorithm>
+#include <chrono>
+#include <cmath>
 #include <numeric>
 
 namespace sensotwin::robot {
@@ -56,6 +58,9 @@ PhaseReaderModel reader_model_of(const UhfReaderSettings& reader) {
 
 RoombaConfig base_config_of(const BaseSettings& base) {
   RoombaConfig config;
+  // Seen at the next step, so the wheels stand within 90 ms of the last frame and what the stop takes on the
+  // line. Chosen: four frames lost in a row are forgiven.
+  config.stream_timeout = std::chrono::milliseconds{75};
   if (base.firmware == BaseFirmware::kWifi) {
     config.mode_report_offset = 1;
   }
@@ -95,6 +100,9 @@ MappingProgramConfig mapping_config_of(const RobotSettings& settings) {
   config.mapping.body_radius_m = settings.base.radius_m;
   config.mapping.light_bumper.shell_radius_m = settings.base.radius_m;
   config.mapping.read_radius_m = settings.floor_reader.read_radius_m;
+  config.mapping.rim_delay_s = settings.floor_reader.notice_delay_s;
+  config.mapping.rim_sigma_m =
+      std::hypot(config.mapping.rim_sigma_m, settings.floor_reader.notice_sigma_s * mission.pace.speed_mps);
   config.base = base_config_of(settings.base);
   config.reader = card_config_of(settings.floor_reader);
   return config;

@@ -48,6 +48,9 @@ void card_reader_fields(FieldVisitor& v, CardReaderSettings& reader) {
   v.number({"read_radius_m", "a tag answers within this radius, m"}, reader.read_radius_m, {0.005, 1.0});
   v.choice({"uid_order", "which byte of a UID the reader gives first"}, reader.uid_order, kUidOrderWords);
   v.whole({"blocks_per_command", "blocks of 4 bytes in one command"}, reader.blocks_per_command, 1, 63);
+  v.number({"notice_delay_s", "a tag's coming and going is noticed this much late, s"}, reader.notice_delay_s,
+           {0.0, 5.0});
+  v.number({"notice_sigma_s", "scatter of that, 1 sigma, s"}, reader.notice_sigma_s, {0.0, 5.0});
   of_the_twin_alone(v, {"at_m", "exchange_s", "torn_write_probability"});
 }
 
@@ -159,7 +162,19 @@ void take_devices(YamlNode& root, const std::filesystem::path& folder,
   }
 }
 
-void check(const RobotFile& robot, const FieldReader& reader, std::vector<Problem>& problems) {
+void check_machine(const RobotSettings& settings, const FieldReader& reader, std::vector<Problem>& problems) {
+  const double sign = settings.uhf_reader.phase_sign;
+  if (sign != 1.0 && sign != -1.0) {
+    const std::string path = "robot.uhf_reader.phase_sign";
+    problems.push_back({reader.place(path), path, fmt::format("is {}", sign), "expected 1 or -1"});
+  }
+  if (settings.uhf_reader.antennas.empty()) {
+    const std::string path = "robot.uhf_reader.antennas";
+    problems.push_back({reader.place(path), path, "is empty", "expected one antenna or more"});
+  }
+}
+
+void check_mission(const RobotFile& robot, const FieldReader& reader, std::vector<Problem>& problems) {
   const RobotSettings& settings = robot.settings;
   const auto add = [&](const std::string& path, const std::string& what, const std::string& hint) {
     problems.push_back({reader.place(path), path, what, hint});
@@ -167,13 +182,6 @@ void check(const RobotFile& robot, const FieldReader& reader, std::vector<Proble
   if (settings.base.kind == BaseKind::kRoomba400) {
     add("robot.base.kind", "a Roomba 400 has no encoders, and every mission counts them",
         "expected create2; `sensobot check` tests a Roomba 400 all the same");
-  }
-  const double sign = settings.uhf_reader.phase_sign;
-  if (sign != 1.0 && sign != -1.0) {
-    add("robot.uhf_reader.phase_sign", fmt::format("is {}", sign), "expected 1 or -1");
-  }
-  if (settings.uhf_reader.antennas.empty()) {
-    add("robot.uhf_reader.antennas", "is empty", "expected one antenna or more");
   }
   const auto need = [&](bool there, const std::string& key, const std::string& what) {
     if (!there) {
@@ -210,12 +218,12 @@ void check(const RobotFile& robot, const FieldReader& reader, std::vector<Proble
 }  // namespace
 
 RobotFile read_robot_file(const std::filesystem::path& file,
-                          const std::optional<std::filesystem::path>& devices) {
-  return read_robot_text(read_text_file(file, "robot file"), file, devices);
+                          const std::optional<std::filesystem::path>& devices, RobotFileUse use) {
+  return read_robot_text(read_text_file(file, "robot file"), file, devices, use);
 }
 
 RobotFile read_robot_text(const std::string& text, const std::filesystem::path& file,
-                          const std::optional<std::filesystem::path>& devices) {
+                          const std::optional<std::filesystem::path>& devices, RobotFileUse use) {
   std::vector<Problem> problems;
   YamlNode root = section_of(text, file.string(), problems);
   take_devices(root, file.parent_path(), devices, problems);
@@ -231,7 +239,10 @@ RobotFile read_robot_text(const std::string& text, const std::filesystem::path& 
     robot.settings.mission.map.emplace();
   }
   if (problems.empty()) {
-    check(robot, reader, problems);
+    check_machine(robot.settings, reader, problems);
+    if (use == RobotFileUse::kRun) {
+      check_mission(robot, reader, problems);
+    }
   }
   if (!problems.empty()) {
     throw LoadError(std::move(problems), kExitInvalid);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <cstdint>
 #include <filesystem>
 #include <optional>
 #include <string>
@@ -32,13 +33,21 @@ struct RobotFile {
   double time_limit_s{20700.0};  ///< the run ends undone after this. As of scenes
 };
 
+/// What a file is read for.
+enum class RobotFileUse : std::uint8_t {
+  kRun,    ///< all that its mission needs must be there
+  kCheck,  ///< what is there is tested, whatever the mission
+};
+
 /// \param devices  a file to take the section `devices:` from, instead of what stands there
 /// \throws LoadError
 [[nodiscard]] RobotFile read_robot_file(const std::filesystem::path& file,
-                                        const std::optional<std::filesystem::path>& devices = {});
+                                        const std::optional<std::filesystem::path>& devices = {},
+                                        RobotFileUse use = RobotFileUse::kRun);
 /// \param file  for messages, and where relative paths begin
 [[nodiscard]] RobotFile read_robot_text(const std::string& text, const std::filesystem::path& file,
-                                        const std::optional<std::filesystem::path>& devices = {});
+                                        const std::optional<std::filesystem::path>& devices = {},
+                                        RobotFileUse use = RobotFileUse::kRun);
 
 /// The file with all defaults; reads back to the same.
 [[nodiscard]] std::string robot_yaml(const RobotFile& robot);

@@ -7,6 +7,7 @@
 
 #include "robot/base/epc.hpp"
 #include "robot/base/geometry.hpp"
+#include "robot/mapping/mapping_config.hpp"
 #include "robot/phase/estimation/phase_model.hpp"
 #include "robot/settings/hallway_file.hpp"
 #include "robot/settings/mission.hpp"
@@ -38,6 +39,11 @@ struct CardReaderSettings {
   double read_radius_m{0.08};  ///< a tag answers within
   UidOrder uid_order{UidOrder::kMsbFirst};
   int blocks_per_command{4};
+  /// A tag's coming and going is noticed this much late, with this scatter (1 sigma). Default: half a look of
+  /// the twin's reader and half a control step. pcscd looks every 0.4 s at a reader whose driver does not
+  /// wake it: 0.2 s and 0.115 s then.
+  double notice_delay_s{MappingConfig{}.rim_delay_s};
+  double notice_sigma_s{0.0};
 };
 
 /// Reader and antennas for the tags under the ceiling, as calibrated. Defaults: the paper's reader.

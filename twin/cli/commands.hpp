@@ -72,6 +72,7 @@ struct ReplayOptions {
 
 struct ShowOptions {
   SceneChoice choice{};
+  bool robot{false};  ///< what the robot is told, as a robot file
 };
 [[nodiscard]] Command make_show_command(Deed<ShowOptions> deed);
 

@@ -9,6 +9,7 @@
 #include "twin/cli/deed_support.hpp"
 #include "twin/cli/deeds.hpp"
 #include "twin/run/scene_views.hpp"
+#include "twin/run/twin_journal.hpp"
 #include "twin/scene/map_import.hpp"
 #include "twin/scene/problem.hpp"
 #include "twin/scene/scene_reader.hpp"
@@ -62,7 +63,8 @@ Probe renderer_probe(render::Backend backend, bool required) {
 }  // namespace
 
 ExitCode show_deed(const ShowOptions& options, Context& context) {
-  context.out << scene_yaml(scene_of(options.choice));
+  const Scene scene = scene_of(options.choice);
+  context.out << (options.robot ? robot_file_of(scene) : scene_yaml(scene));
   return ExitCode::kDone;
 }
 

@@ -65,8 +65,11 @@ class PseudoTerminal {
     device_.close();
     std::filesystem::remove(link_);
   }
-  /// Lets go of the port's own end, so that the device sees when nobody has it open.
-  void let_go() { port_.close(); }
+  /// In a child of the process that has it: the device is the parent's alone.
+  void disown() {
+    port_.close();
+    device_.close();
+  }
   void say(ByteView bytes) const { (void)!::write(device_.get(), bytes.data(), bytes.size()); }
   /// What came from the program, waiting at most so long for its first byte.
   [[nodiscard]] Bytes heard(int wait_ms = 0) const {

@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: MIT
+#include "robot/sensobot/base_guardian.hpp"
+
+#include <cstring>
+#include <string>
+#include <utility>
+
+#include "robot/drivers/emergency_stop.hpp"
+#include "robot/output/output_error.hpp"
+
+namespace sensotwin::robot {
+
+Guardian begin_base_guardian() {
+  auto guardian = Guardian::begin({.stop = emergency_stop(), .farewell = emergency_farewell()});
+  if (!guardian) {
+    // NOLINTNEXTLINE(concurrency-mt-unsafe): read at once
+    throw OutputError(ExitCode::kInternal,
+                      std::string{"cannot begin the process that stops the robot when this one dies: "} +
+                          std::strerror(guardian.error()));
+  }
+  return std::move(*guardian);
+}
+
+}  // namespace sensotwin::robot

@@ -226,6 +226,9 @@ struct RobotDescription {
   CompassDescription compass;
   std::optional<SonarDescription> sonar;
   Pose2 X_WR_start;
+  /// More than 0: each run starts at a place of its own, uniform over the disc of this radius about
+  /// X_WR_start, with any heading.
+  double start_within_m{0.0};
 };
 
 /// Settings of the physics itself.

@@ -7,7 +7,11 @@
 
 namespace sensotwin::twin {
 
-/// Runs a scene, whatever its mission: see run_mapping(), run_phase() and run_hallway().
+/// The scene with the start of its own seed, where robot.start.within_m asks for one; else as it is.
+[[nodiscard]] Scene placed(Scene scene);
+
+/// Runs a scene from its seed's start, whatever its mission: see run_mapping(), run_phase() and
+/// run_hallway().
 Summary run_scene(const Scene& scene, RunFolder& folder, const SceneRunOptions& options);
 
 }  // namespace sensotwin::twin

@@ -247,7 +247,13 @@ void robot_fields(FieldVisitor& v, Scene& scene) {
   static constexpr std::array<std::string_view, 1> kAutoWord{"auto"};
   v.section_or_word(
       {"start", "pose at the start; auto, or none given: a tile's middle, found by the twin"}, kAutoWord,
-      std::nullopt, [](std::size_t) {}, [&] { pose_fields(v, robot.X_WR_start); });
+      std::nullopt, [](std::size_t) {},
+      [&] {
+        pose_fields(v, robot.X_WR_start);
+        v.number({"within_m",
+                  "more than 0: each seed starts somewhere within this radius of at_m, with any heading, m"},
+                 robot.start_within_m, {0.0, 100.0});
+      });
   v.section({"base", "the Roomba"}, [&] { base_fields(v, robot.base); });
   v.section({"floor_reader", "reads the tags under the robot"},
             [&] { reader_fields(v, robot.floor_reader); });

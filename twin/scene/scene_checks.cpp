@@ -273,12 +273,15 @@ void SceneChecks::start(const FloorPlan& floor) {
     return;
   }
   const Vec2 at = scene_.robot.X_WR_start.p_m;
-  const double radius_m = scene_.robot.base.radius_m;
+  const double radius_m = scene_.robot.base.radius_m + scene_.robot.start_within_m;
   if (!floor.has_floor_at(at)) {
     add(path, fmt::format("{} m is not on the floor", in_words(at)), "expected a place inside the walls");
     return;
   }
-  const std::string hint = fmt::format("expected the robot's radius, {} m, free all round", radius_m);
+  const std::string hint =
+      scene_.robot.start_within_m > 0.0
+          ? fmt::format("expected {:g} m, within_m and the robot's radius, free all round", radius_m)
+          : fmt::format("expected the robot's radius, {} m, free all round", radius_m);
   // A start given to the millimetre may touch.
   constexpr double kTouch_m = 0.0005;
   double nearest_m = std::numeric_limits<double>::max();

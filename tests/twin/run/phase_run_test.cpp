@@ -72,6 +72,32 @@ TEST(PhaseRun, OfThePaperKeepsItsFiguresOnAFewSeeds) {
   }
 }
 
+TEST(PhaseRun, StartsAtAPlaceOfItsSeedWhereTheSceneAsksForOne) {
+  const std::vector<std::string> within{"world.room.walls_m=[[-12,-12],[12,-12],[12,12],[-12,12]]",
+                                        "robot.start={at_m: [1, 0], heading_deg: 0, within_m: 8}"};
+  double farthest_m = 0.0;
+  for (std::uint64_t seed = 1; seed <= 200; ++seed) {
+    const Scene scene = published("line_at_90", within, seed);
+    const Vec2 start_m = placed(scene).robot.X_WR_start.p_m;
+    EXPECT_EQ(start_m, placed(scene).robot.X_WR_start.p_m);
+    EXPECT_NE(start_m, placed(published("line_at_90", within, seed + 1)).robot.X_WR_start.p_m);
+    farthest_m = std::max(farthest_m, (start_m - Vec2{1.0, 0.0}).norm());
+  }
+  EXPECT_LE(farthest_m, 8.0);
+  // All of 200 within 7.8 m of a disc of 8 m: (7.8 / 8)^400, 4 in 100 000.
+  EXPECT_GT(farthest_m, 7.8);
+  EXPECT_EQ(placed(published("line_at_90")).robot.X_WR_start.p_m, Vec2(-5.0, -5.0));
+}
+
+TEST(PhaseRun, FindsTheTagFromAnywhere) {
+  const std::vector<std::string> within{"world.room.walls_m=[[-12,-12],[12,-12],[12,12],[-12,12]]",
+                                        "robot.start={at_m: [0, 0], heading_deg: 0, within_m: 8}",
+                                        "mission.phase.destinations=[A]"};
+  for (std::uint64_t seed = 1; seed <= 10; ++seed) {
+    EXPECT_EQ(path_of(published("line_at_90", within, seed)).arrived, 1) << seed;
+  }
+}
+
 // Read one after the other and combined as if at once, the antennas' difference looks like a tag to the side:
 // the robot circles the first tag for ever (algorithms study, A.3). Read 1-2-1 and interpolated, it arrives.
 TEST(PhaseRun, FailsWithAntennasNaivelyMultiplexedAndIsRestoredByInterpolation) {

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "twin/run/phase_recorder.hpp"
 
-#include <algorithm>
 #include <Eigen/Geometry>
+#include <algorithm>
 #include <cmath>
 
 #include "twin/run/phase_config.hpp"
@@ -140,10 +140,8 @@ void PhaseRecorder::record_estimates(const PhaseTwin& twin) {
     if (again || estimate.knowledge < robot::TagKnowledge::kTracked) {
       continue;
     }
-    estimates_.push_back(
-        {scene_.world.radio->tags[destinations_[i]].name, X_WM * estimate.p_M_m,
-         turn * estimate.covariance_m2 * turn.transpose(),
-         robot::to_s(twin.now())});
+    estimates_.push_back({scene_.world.radio->tags[destinations_[i]].name, X_WM * estimate.p_M_m,
+                          turn * estimate.covariance_m2 * turn.transpose(), robot::to_s(twin.now())});
   }
 }
 

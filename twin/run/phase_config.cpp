@@ -12,8 +12,8 @@
 namespace sensotwin::twin {
 namespace {
 
-/// Measured with three echoes of a tenth on the line (twin validate, 200 seeds, 2026-11-22): 1, 1.5, 2 and 2.6
-/// leave 3.9, 3.6, 3.5 and 3.4 cm in the root mean square, and the robot stops for longer with more.
+/// Measured with three echoes of a tenth on the line (twin validate, 200 seeds, 2026-11-22): 1, 1.5, 2
+/// and 2.6 leave 3.9, 3.6, 3.5 and 3.4 cm in the root mean square, and the robot stops for longer with more.
 constexpr double kImageCaution = 1.5;
 
 /// What the robot is told of a tag's code.
@@ -43,8 +43,8 @@ robot::UhfReaderSettings reader_of(const world::RadioWorld& world) {
   model.noise.floor_rad = radio.noise_law == world::NoiseLaw::kProportional ? 0.0 : radio.noise_floor_rad;
   model.noise.per_m_rad = radio.noise_law == world::NoiseLaw::kRssi ? 0.0 : radio.noise_per_m_rad;
   model.noise.at_50dbm_rad = radio.noise_law == world::NoiseLaw::kRssi ? radio.noise_at_50dbm_rad : 0.0;
-  // An echo of amplitude a turns the phase of one way by a sin(x): a / sqrt(2) in the mean square. Out and back
-  // come together: the same echo twice, or two of two places.
+  // An echo of amplitude a turns the phase of one way by a sin(x): a / sqrt(2) in the mean square. Out and
+  // back come together: the same echo twice, or two of two places.
   const double ways = model.monostatic ? 2.0 : std::sqrt(2.0);
   const double images_rad = ways * radio.image_amplitude * std::sqrt(radio.images / 2.0);
   model.noise.echo_rad = std::hypot(radio.place_sigma_rad, images_rad);

@@ -56,10 +56,7 @@ bool run_seeds(const Scene& scene, const SeedRunsOptions& options, SeedTable& ta
     try {
       const auto outcome = run_once(
           scene, seed,
-          {.folder = folder,
-           .scene_as_given = options.scene_as_given,
-           .bound = bound,
-           .keep_going = go_on});
+          {.folder = folder, .scene_as_given = options.scene_as_given, .bound = bound, .keep_going = go_on});
       std::error_code ignored;
       std::filesystem::remove_all(folder, ignored);
       const std::scoped_lock lock{mutex};

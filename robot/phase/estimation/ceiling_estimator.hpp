@@ -32,8 +32,8 @@ struct EstimatorConfig {
   double misfit_limit{4.0};
   /// The noise is learned from successive innovations, between the model's and this many times it.
   double most_noise_scale{5.0};
-  /// The model's echoes are taken for this many times as large: above 1 where they are known to come from a few
-  /// directions. One from the tag's own direction then bends phases the same way for a metre, which no
+  /// The model's echoes are taken for this many times as large: above 1 where they are known to come from a
+  /// few directions. One from the tag's own direction then bends phases the same way for a metre, which no
   /// Gauss-Markov process does.
   double echo_caution{1.0};
   double floor_radius_m{0.05};  ///< of the floor antenna's zone, if there are floor tags

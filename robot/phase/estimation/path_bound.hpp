@@ -63,8 +63,8 @@ struct PathBound {
 ///
 /// Computed by the information recursion along the ideal path: JointFilter at the true state, all innovations
 /// zero. Places of a curve depend on several tags; how much on each is found by differences. A bound for
-/// estimating, not for driving: a robot that cannot turn on the spot is off its path by more. The echoes' part
-/// holds for echoes as PhaseNoise describes them.
+/// estimating, not for driving: a robot that cannot turn on the spot is off its path by more. The echoes'
+/// part holds for echoes as PhaseNoise describes them.
 ///
 /// \pre the route is not empty, no leg but the first has length zero; a circle through tags has three
 [[nodiscard]] PathBound posterior_bound(const PathBoundTask& task);

@@ -20,7 +20,8 @@ class PathShape {
   };
   /// \param route  indices of places  \pre not empty; no leg but the first has length zero; a circle through
   /// tags has three that lie on one
-  PathShape(const Kind& kind, std::vector<Vec2> places_m, std::vector<std::size_t> route, const Vec2& start_m);
+  PathShape(const Kind& kind, std::vector<Vec2> places_m, std::vector<std::size_t> route,
+            const Vec2& start_m);
 
   /// Of the first, the way from the start.
   [[nodiscard]] std::size_t legs() const;

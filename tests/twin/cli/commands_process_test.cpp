@@ -39,6 +39,24 @@ TEST(ShowProcess, GivesDefaultsThatTheFileLeavesOut) {
   EXPECT_THAT(twin("show '" + kScenes + "lesson_2x2.yaml'").out, HasSubstr("read_radius_m: 0.08"));
 }
 
+TEST(BoundProcess, SaysLegByLegWhatNoEstimatorCanGoBelow) {
+  const Outcome outcome = twin("bound '" + kScenes + "line_at_90.yaml' --variant own_slow");
+  EXPECT_EQ(outcome.code, 0);
+  EXPECT_THAT(outcome.out, HasSubstr("not counted"));
+  EXPECT_THAT(outcome.out, HasSubstr("bound_m"));
+  const auto json =
+      nlohmann::json::parse(twin("bound '" + kScenes + "line_at_90.yaml' --variant own_slow --json").out);
+  EXPECT_EQ(json["variant"], "own_slow");
+  EXPECT_EQ(json["legs"][0]["to"], "B");
+  EXPECT_NEAR(json["bound_m"].get<double>(), 0.0072, 0.0012);
+}
+
+TEST(BoundProcess, RefusesASceneWithoutCeilingTags) {
+  const Outcome outcome = twin("bound '" + kScenes + "house.yaml'");
+  EXPECT_EQ(outcome.code, 65);
+  EXPECT_THAT(outcome.err, HasSubstr("no path along ceiling tags"));
+}
+
 TEST(ListProcess, NamesEveryExplorer) {
   const auto json = nlohmann::json::parse(twin("list explorers --json").out);
   std::vector<std::string> names;

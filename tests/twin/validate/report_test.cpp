@@ -43,6 +43,17 @@ TEST(Table, NamesTheFailingSeedsAndHowToRepeatThem) {
   EXPECT_THAT(table, HasSubstr("verdict not_accepted\n"));
 }
 
+TEST(Table, SaysTheBoundBesideAFigureThatHasOne) {
+  std::vector<RunOutcome> runs = runs_with({1.0, 2.0});
+  for (RunOutcome& run : runs) {
+    run.figures = {{"rmse_m", 0.009}, {"bound_m", 0.0075}};
+  }
+  const Expectation expectation{.name = "rmse_m", .max = 0.01};
+  EXPECT_THAT(to_table(validated(expecting(expectation), runs)),
+              HasSubstr("bound   rmse_m: posterior Cramer-Rao, 0.0075\n"));
+  EXPECT_THAT(to_table(validated(expecting(kAtMostEight), runs_with({1.0}))), Not(HasSubstr("Cramer-Rao")));
+}
+
 TEST(Report, SaysInJsonWhatWasAskedFoundAndMissed) {
   const auto json = nlohmann::json::parse(to_json(validated(expecting(kAtMostEight), runs_with(up_to(10)))));
   EXPECT_EQ(json["verdict"], "not_accepted");

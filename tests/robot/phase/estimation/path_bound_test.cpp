@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include "robot/phase/estimation/path_shape.hpp"
 #include "tests/robot/phase/estimation/mission_runs.hpp"
 
 namespace sensotwin::robot::testing {
@@ -27,6 +28,46 @@ TEST(PathBound, LiesWhereTheStudyFoundItWithTheDestinationAlone) {
 
 TEST(PathBound, FallsWhenMoreTagsAreUsed) {
   EXPECT_LT(bound_cm(star(), 1.0, 2, 2), bound_cm(star(), 1.0, 0, 0));
+}
+
+TEST(PathBound, NeedsReads) {
+  CeilingMissionConfig config = mission_for(line_at_90(), {}, true);
+  PathBoundTask task = bound_for(line_at_90(), config, {});
+  const double heard = posterior_bound(task).rms_m;
+  task.hear = [](const BoundMotion&) { return std::span<const BoundRead>{}; };
+  EXPECT_GT(posterior_bound(task).rms_m, 100.0 * heard);
+}
+
+TEST(PathShape, TellsTheErrorBesideALineByTheRobotAndBothItsTags) {
+  const PathShape line({}, {{0.0, 0.0}, {4.0, 0.0}}, {0, 1}, {0.0, 0.0});
+  const PathShape::Beside beside = line.beside(1, {1.0, 0.1});
+  EXPECT_NEAR(beside.by_robot.y(), 1.0, 1e-6);
+  ASSERT_EQ(beside.by_places.size(), 2u);
+  EXPECT_NEAR(beside.by_places[0].by_place.y(), -0.75, 1e-6);
+  EXPECT_NEAR(beside.by_places[1].by_place.y(), -0.25, 1e-6);
+}
+
+TEST(PathShape, OfASmoothCurveMovesWithItsTags) {
+  const PathShape curve({.path = TagPathKind::kSmooth}, {{0, 0}, {2, 1}, {4, 0}, {6, -1}}, {0, 1, 2, 3},
+                        {0.0, 0.0});
+  Vec2 all{0.0, 0.0};
+  const Vec2 middle = curve.points_m(2)[49];
+  const PathShape::Beside beside = curve.beside(2, middle);
+  for (const PathShape::Pull& pull : beside.by_places) {
+    all += pull.by_place;
+  }
+  EXPECT_EQ(beside.by_places.size(), 4u);
+  // Robot and tags moved together: the error stays.
+  EXPECT_LT((all + beside.by_robot).norm(), 1e-4);
+  EXPECT_NEAR(beside.by_robot.norm(), 1.0, 1e-3);
+}
+
+TEST(PathShape, OfACircleAboutATagIsGoneRoundAsOftenAsAsked) {
+  const PathShape circle({.path = TagPathKind::kCircleAbout, .circle_radius_m = 2.0, .circle_laps = 1.5},
+                         {{0.0, 0.0}}, {0}, {3.0, 0.0});
+  EXPECT_LT((circle.points_m(0).back() - Vec2(2.0, 0.0)).norm(), 1e-9);
+  EXPECT_LT((circle.points_m(1).back() - Vec2(-2.0, 0.0)).norm(), 1e-9);
+  EXPECT_NEAR(circle.beside(1, {2.0, 0.0}).by_robot.x(), -1.0, 1e-6);
 }
 
 TEST(PathBound, GrowsWithTheNoise) {

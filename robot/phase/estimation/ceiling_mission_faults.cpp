@@ -24,7 +24,7 @@ constexpr double kOrderWay_m = 2.0;
 constexpr double kOrderDoubted_s = 2.0;
 constexpr double kOrderSigmas = 3.0;  ///< chosen: as kMovedSigmas of the estimator
 /// On one leg. Chosen: most legs need none; a tag that shows itself and hides that often is not found.
-constexpr int kMostLooks = 10;
+constexpr int kMostLooks = 40;
 /// A tag read this long ago is still in hearing. Chosen: ten rounds of four ports of an R420 (data
 /// study, 3.8).
 constexpr double kInHearing_s = 1.0;

@@ -17,13 +17,14 @@ constexpr int kSilentTurns = 2;
 /// One sigma of a place that is not relied on without reads. Chosen: the robot's radius.
 constexpr double kHardly_m = 0.17;
 constexpr double kUnconfirmed_s = 2.0;  ///< and is not driven to for longer. Chosen: a turn, and 0.2 m
-/// An order is judged before the robot is this far on its way. Chosen: twice the width of a door.
+/// The order is judged when the robot is this far on its way, if not before. Chosen: twice the width of a
+/// door.
 constexpr double kOrderWay_m = 2.0;
 /// A doubt must last: a wrong guess of a place does not. Chosen: ten hops of an R420 (data study, 3.8).
 constexpr double kOrderDoubted_s = 2.0;
 constexpr double kOrderSigmas = 3.0;  ///< chosen: as kMovedSigmas of the estimator
 /// On one leg. Chosen: most legs need none; a tag that shows itself and hides that often is not found.
-constexpr int kMostLooks = 10;
+constexpr int kMostLooks = 40;
 /// A tag read this long ago is still in hearing. Chosen: ten rounds of four ports of an R420 (data
 /// study, 3.8).
 constexpr double kInHearing_s = 1.0;
@@ -253,17 +254,19 @@ void CeilingMission::watch_order() {
   const std::optional<Vec2> here = place_of(route_[*from_]);
   const std::optional<Vec2> next = place(i);
   const std::optional<Vec2> after = place(i + 1);
-  if (!here || !next || !after || route_[leg_ + 1] == route_[*from_] ||
-      (estimator_.pose().p_m - origin_M_m_).norm() > kOrderWay_m) {
+  if (!here || !next || !after || route_[leg_ + 1] == route_[*from_]) {
     return;
   }
   const double next_m = (*next - *here).norm();
   const double after_m = (*after - *here).norm();
   const double factor = config_.faults.order_factor;
-  const double doubt_m = kOrderSigmas * (spread_m(route_[leg_]) + factor * spread_m(route_[leg_ + 1]));
+  // As far on its way as this it does with the best guess.
+  const bool late = (estimator_.pose().p_m - origin_M_m_).norm() > kOrderWay_m;
+  const double doubt_m =
+      late ? 0.0 : kOrderSigmas * (spread_m(route_[leg_]) + factor * spread_m(route_[leg_ + 1]));
   if (next_m < factor * after_m + doubt_m) {
     order_doubted_s_ = 0.0;
-    order_judged_ = next_m < factor * after_m - doubt_m;  // else not known well enough yet
+    order_judged_ = late || next_m < factor * after_m - doubt_m;  // else not known well enough yet
     return;
   }
   order_doubted_s_ += to_s(now_ - before_);

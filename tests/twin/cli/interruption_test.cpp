@@ -84,9 +84,8 @@ TEST(Interruption, OfARunThatIsDrawingItsPicturesDoesNotWaitForTheRest) {
 
 TEST(Interruption, OfARunAlongCeilingTagsEndsWithinASecondToo) {
   const TemporaryFolder folder;
-  // The fuzzy controller never comes to a tag that fell off, and looks for it for ever.
-  BackgroundTwin twin({"run", (kSource / "scenes/line_at_90.yaml").string(), "--set",
-                       "world.ceiling_tags[1].present=false", "--set", "time_limit_s=100000000", "--tag-log",
+  // A quarter of an hour under forty tags: seconds of wall time.
+  BackgroundTwin twin({"run", (kSource / "scenes/hall_40.yaml").string(), "--variant", "r420", "--tag-log",
                        (folder / "reads.csv").string(), "--out", (folder / "run").string()});
   ASSERT_TRUE(twin.wait_for(folder / "run/.trace.csv.part"));
   std::this_thread::sleep_for(std::chrono::milliseconds(300));

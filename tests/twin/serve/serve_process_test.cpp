@@ -184,6 +184,25 @@ TEST_F(ServeProcess, SaysWhatIsMissingForTheCardsAndServesTheRest) {
   EXPECT_THAT(outcome.err, HasSubstr("The other wires are served"));
 }
 
+TEST_F(ServeProcess, LetsTheWorldStandStillUntilATagThatLeftWasMissedWhenAskedTo) {
+  Endpoint floor;
+  const Handle listener = listen_at(floor);
+  start({kLesson, "--wait-for-cards", "--vpcd", to_text(floor)});
+  const auto accepted = [&] { return Handle{::accept4(listener.get(), nullptr, nullptr, SOCK_NONBLOCK)}; };
+  Handle card;
+  ASSERT_TRUE(eventually([&] { return static_cast<bool>(card); }, [&] { card = accepted(); }));
+  const Bytes tell_atr{0, 1, 4};
+  ::send(card.get(), tell_atr.data(), tell_atr.size(), MSG_NOSIGNAL);
+  ASSERT_EQ(heard_at(card.get(), 2000).size(), 22u) << "the lesson begins on a tag";
+
+  const PortClient base(value_of(devices_, "base"));
+  base.say({128, 131, 148, 1, 35, 145, 0, 200, 0, 200});
+  // Off the tag after 8 cm: then no frame comes, though it would every 15 ms.
+  ASSERT_TRUE(eventually([&] { return base.hear(200).empty(); }, [] {}));
+  card.reset();
+  EXPECT_FALSE(base.hear(1000).empty()) << "it was noticed, and time goes on";
+}
+
 TEST_F(ServeProcess, RefusesAPortThatIsTaken) {
   Endpoint taken;
   const Handle listener = listen_at(taken);

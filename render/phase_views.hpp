@@ -56,11 +56,12 @@ struct PhaseRunView {
 
   std::vector<WallView> walls;
   std::vector<PhaseTagView> tags;
-  std::vector<Vec2> ideal_m;       ///< corners of the polyline, or close points of a curve
-  bool ideal_closed{false};        ///< from the last point back to the first
-  std::vector<TimedPoint> driven;  ///< in order of time
-  std::optional<Pose2> start;      ///< of the robot
-  std::optional<Pose2> end;        ///< of the robot
+  std::string tags_are{"ceiling tag"};  ///< in the legend
+  std::vector<Vec2> ideal_m;            ///< corners of the polyline, or close points of a curve
+  bool ideal_closed{false};             ///< from the last point back to the first
+  std::vector<TimedPoint> driven;       ///< in order of time
+  std::optional<Pose2> start;           ///< of the robot
+  std::optional<Pose2> end;             ///< of the robot
   double robot_radius_m{0.17};
   std::vector<SegmentView> segments;  ///< in order of time; none: the whole run is one that counts
   std::vector<ErrorPoint> errors;     ///< in order of time, of the part that counts

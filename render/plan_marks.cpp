@@ -96,7 +96,7 @@ std::vector<FlowItem> plan_legend(const PhaseRunView& view) {
   const auto missing = [](const PhaseTagView& tag) { return tag.missing; };
   if (!std::all_of(view.tags.begin(), view.tags.end(), missing)) {
     items.push_back(
-        {"ceiling tag", [](Canvas& canvas, const Vec2& c, double u) { paint_diamond(canvas, c, u, false); }});
+        {view.tags_are, [](Canvas& canvas, const Vec2& c, double u) { paint_diamond(canvas, c, u, false); }});
   }
   if (std::any_of(view.tags.begin(), view.tags.end(), missing)) {
     items.push_back(

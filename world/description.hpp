@@ -123,6 +123,12 @@ struct CompassDistortion {
   double peak_rad{0.0};
 };
 
+/// A tag on the floor near a junction (Tsukiyama, section 3): its unique number is all that is asked of it.
+struct HallwayTag {
+  std::uint64_t uid{0};
+  Vec2 at_m{0.0, 0.0};
+};
+
 struct WorldDescription {
   std::vector<Wall> walls;
   std::vector<Furniture> furniture;
@@ -136,6 +142,8 @@ struct WorldDescription {
   double ceiling_m{3.0};  ///< for the picture; each ceiling tag has a height of its own
   /// Direction of magnetic north as a yaw in W. pi/2: north is +y, as on a plan.
   double north_yaw_rad{1.5707963267948966};
+  std::vector<HallwayTag> hallway_tags;
+  double hallway_tag_reach_m{0.3};  ///< algorithms study, D: 0.3 to 1 m
   std::optional<RadioWorld> radio;  ///< ceiling tags and who hears them; the floor tags below are TagField's
 };
 
@@ -175,6 +183,7 @@ struct ReaderDescription {
   Vec2 at_m{0.0, 0.0};  ///< middle of the disc in R
   double read_radius_m{0.08};
   double exchange_s{0.012};  ///< one APDU exchange: ISO 15693 at 26 kbit/s plus USB. Chosen in 8 to 30 ms
+  double missed_share{0.0};  ///< of the tags come upon that are not heard until they are left again
   double torn_write_probability{0.25};  ///< that a cut-off write leaves a mixed block. Chosen
 };
 

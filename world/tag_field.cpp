@@ -71,6 +71,11 @@ TagField::TagField(const WorldDescription& world, const robot::RandomStream& ran
   if (world.radio) {
     add_floor_tags(world.radio->tags, random);
   }
+  for (std::uint32_t i = 0; i < world.hallway_tags.size(); ++i) {
+    Tag tag{.place = TagPlace::kHallway, .owner = i, .at_m = world.hallway_tags[i].at_m};
+    tag.memory.uid = world.hallway_tags[i].uid;
+    tags_.push_back(std::move(tag));
+  }
 }
 
 void TagField::add(Tag tag, robot::RandomStream& random) {

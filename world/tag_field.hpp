@@ -12,10 +12,10 @@
 
 namespace sensotwin::world {
 
-enum class TagPlace : std::uint8_t { kCarpet, kLandmark, kFurniture, kFloor };
+enum class TagPlace : std::uint8_t { kCarpet, kLandmark, kFurniture, kFloor, kHallway };
 
 /// Position of a tag in TagField::tags(): carpet tiles in the order of the scene, then landmarks, then
-/// furniture, then floor tags below ceiling tags. Never changes during a run.
+/// furniture, then floor tags below ceiling tags, then those of hallways. Never changes during a run.
 using TagIndex = std::uint32_t;
 
 struct Tag {

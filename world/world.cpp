@@ -137,7 +137,7 @@ World::State::State(const WorldDescription& world, const RobotDescription& robot
       sensors(world, robot.base),
       battery(robot.base),
       tags(world, random.fork("tags")),
-      floor_tag_radius_m(world.radio ? world.radio->floor_tag_radius_m : 0.0),
+      floor_tag_radius_m(world.radio ? world.radio->floor_tag_radius_m : world.hallway_tag_reach_m),
       compass(world, robot.compass, random.fork("compass")) {
   assert(steps_per_tick > 0);
   [[maybe_unused]] const bool stands = box2d_clock_stands();

@@ -52,8 +52,8 @@ class World {
   [[nodiscard]] std::span<const Tag> tags() const;
   /// The chip of a tag, to read and write. \pre tag < tags().size()
   [[nodiscard]] TagMemory& tag_memory(TagIndex tag);
-  /// The carpet tag, or floor tag below a ceiling tag, that answers the floor antenna now; of both, the
-  /// nearer.
+  /// The carpet tag, or floor tag below a ceiling tag or in a hallway, that answers the floor antenna now; of
+  /// both, the nearer.
   [[nodiscard]] std::optional<TagIndex> floor_tag() const;
   /// The landmark or furniture tag that answers the forward antenna now.
   [[nodiscard]] std::optional<TagIndex> forward_tag() const;

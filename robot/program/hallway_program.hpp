@@ -53,6 +53,12 @@ class HallwayProgram {
   [[nodiscard]] const HallwayTracker& tracker() const {
     return mission_ ? mission_->tracker() : survey_->tracker();
   }
+  /// The map it goes by; of a survey, as far as it is drawn.
+  [[nodiscard]] const HallwayMap& map() const { return mission_ ? mission_->map() : survey_->map(); }
+  /// The last place it was at.
+  [[nodiscard]] std::optional<NodeIndex> place() const {
+    return mission_ ? mission_->status().place : survey_->place();
+  }
   /// Since they were last taken, in order.
   [[nodiscard]] std::vector<HallwayEvent> take_events() {
     return mission_ ? mission_->log().take() : survey_->log().take();

@@ -81,4 +81,15 @@ void record_events(PhaseProgram& program, EventLog& events,
   }
 }
 
+void record_events(HallwayProgram& program, EventLog& events,
+                   const std::function<void(const HallwayEvent&)>& seen) {
+  for (const HallwayEvent& event : program.take_events()) {
+    seen(event);
+    events.add(event.stamp, name_of(event.kind),
+               {{"place", event.place},
+                {"side", event.side ? std::string(1, letter_of(*event.side)) : std::string{}},
+                {"value", event.value}});
+  }
+}
+
 }  // namespace sensotwin::robot

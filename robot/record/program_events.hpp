@@ -7,6 +7,7 @@
 #include "robot/base/epc.hpp"
 #include "robot/mapping/mission_log.hpp"
 #include "robot/output/event_log.hpp"
+#include "robot/program/hallway_program.hpp"
 #include "robot/program/mapping_program.hpp"
 #include "robot/program/phase_events.hpp"
 #include "robot/program/phase_program.hpp"
@@ -19,6 +20,9 @@ namespace sensotwin::robot {
 /// \throws OutputError
 void record_events(MappingProgram& program, EventLog& events,
                    const std::function<void(const MissionEvent&)>& seen);
+/// \throws OutputError
+void record_events(HallwayProgram& program, EventLog& events,
+                   const std::function<void(const HallwayEvent&)>& seen);
 /// \throws OutputError
 void record_events(PhaseProgram& program, EventLog& events,
                    const std::function<std::string(const Epc&)>& name_of_tag,

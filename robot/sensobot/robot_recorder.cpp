@@ -72,6 +72,10 @@ void RobotRecorder::record(RobotProgram& program) {
     record_events(*mapping, events_, [](const MissionEvent&) {});
     return;
   }
+  if (HallwayProgram* hallway = program.hallway()) {
+    record_events(*hallway, events_, [](const HallwayEvent&) {});
+    return;
+  }
   record_events(
       *program.phase(), events_, [this](const Epc& epc) { return name_of(epc); },
       [this](const PhaseEvent& event) {
@@ -96,6 +100,11 @@ std::string RobotRecorder::progress(RobotProgram& program) const {
   if (const MappingProgram* mapping = program.mapping()) {
     return fmt::format("{} tiles", mapping->mission().map().visited_count());
   }
+  if (const HallwayProgram* hallway = program.hallway()) {
+    const HallwayMap& map = hallway->map();
+    return hallway->place() ? "at " + map.node(*hallway->place()).name
+                            : fmt::format("{} places", map.nodes().size());
+  }
   return fmt::format("destination {} of {}", program.phase()->leg() + 1,
                      destinations_of(robot_.settings).size());
 }
@@ -106,6 +115,13 @@ std::string RobotRecorder::finish(RobotProgram& program, const RunFigures& figur
   if (MappingProgram* mapping = program.mapping()) {
     write_map(folder_, recovered_grid(mapping->mission(), robot_.settings.tile_m));
     summary["map"] = map_json(robot_, *mapping, figures.run_s);
+  } else if (HallwayProgram* hallway = program.hallway()) {
+    summary["hallway"] = {{"arrived", hallway->arrived() ? 1 : 0}, {"places", hallway->map().nodes().size()}};
+    if (hallway->survey() != nullptr) {
+      HallwayFile drawn = robot_.settings.hallways;
+      drawn.map = hallway->map();
+      folder_.write("hallways.yaml", hallway_yaml(drawn));
+    }
   } else {
     summary["path"] = path_json(robot_, *program.phase(), tags_reached_, tags_skipped_, figures.run_s);
   }

@@ -190,7 +190,8 @@ class Run {
   }
 
   ExitCode judge() {
-    const bool good = program_.phase() == nullptr || program_.phase()->arrived();
+    const bool good = (program_.phase() == nullptr || program_.phase()->arrived()) &&
+                      (program_.hallway() == nullptr || program_.hallway()->arrived());
     figures_.outcome = good ? "done" : "not_arrived";
     return good ? ExitCode::kDone : ExitCode::kNotAccepted;
   }

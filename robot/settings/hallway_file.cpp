@@ -77,6 +77,10 @@ void visit_fields(FieldVisitor& v, HallwayFile& file, std::vector<PlaceText>& pl
   v.whole({"version", "of this file format: 1", true}, file.version, 1, 1);
   v.angle({"north_deg", "the plan's north, counter-clockwise from magnetic north"}, file.north_rad,
           {-180.0, 180.0});
+  v.number({"width_m", "of the hallways, m"}, file.width_m, {0.5, 10.0});
+  v.number({"tag_to_middle_m", "from a tag to the middle of its place, m"}, file.tag_to_middle_m,
+           {0.1, 10.0});
+  v.number({"tag_reach_m", "a tag is read within this, m"}, file.tag_reach_m, {0.01, 2.0});
   v.named(
       {"places", "intersections, junctions, bends and ends, by name", true}, places.size(),
       [&](std::size_t i) { return places[i].name; },
@@ -204,7 +208,8 @@ std::string hallway_yaml(const HallwayFile& hallways) {
     }
     places.push_back(std::move(place));
   }
-  HallwayFile file{hallways.version, hallways.north_rad, {}};
+  HallwayFile file{hallways.version,         hallways.north_rad,   hallways.width_m,
+                   hallways.tag_to_middle_m, hallways.tag_reach_m, {}};
   FieldWriter writer;
   visit_fields(writer, file, places);
   return writer.text();

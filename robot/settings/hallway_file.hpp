@@ -5,6 +5,7 @@
 #include <string>
 
 #include "robot/config/problem.hpp"
+#include "robot/topology/hallway_config.hpp"
 #include "robot/topology/hallway_map.hpp"
 
 namespace sensotwin::robot {
@@ -12,18 +13,24 @@ namespace sensotwin::robot {
 /// A hallway map as it is kept: the "database of map information" of Tsukiyama, section 3.
 ///
 ///     version: 1
-///     north_deg: 0                                   # the plan's north, counter-clockwise from magnetic
-///     north places:
+///     north_deg: 0            # the plan's north, counter-clockwise from magnetic north
+///     width_m: 2              # of the hallways
+///     tag_to_middle_m: 1      # from a tag to the middle of its place
+///     tag_reach_m: 0.3        # a tag is read within this
+///     places:
 ///       c:
-///         at_m: [7, -6]                              # x east, y north on the plan; may be left out
-///         N: { to: d, length_m: 6, tags: ["6"] }     # tags that are met on coming to c from the north
-///         E: { to: "?", tags: ["E004015012345678"] } # a hallway, and nobody knows where it leads
-///                                                    # no S, no W: no hallway, the paper's "-"
+///         at_m: [7, -6]       # x east, y north on the plan; may be left out
+///         N: { to: d, length_m: 6, tags: ["6"] }      # met on coming to c from the north
+///         E: { to: "?", tags: ["E004015012345678"] }  # nobody knows where it leads
+///                             # no S, no W: no hallway, the paper's "-"
 ///
 /// A tag is its number on the plan, in decimal digits, or its unique number, 16 hexadecimal ones.
 struct HallwayFile {
   int version{1};
   double north_rad{0.0};
+  double width_m{HallwayConfig{}.hallway_width_m};
+  double tag_to_middle_m{HallwayConfig{}.tag_to_middle_m};
+  double tag_reach_m{HallwayConfig{}.tag_reach_m};
   HallwayMap map;
 };
 

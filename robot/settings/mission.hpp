@@ -9,6 +9,7 @@
 #include "robot/mapping/explorer_kind.hpp"
 #include "robot/phase/fuzzy_controller.hpp"
 #include "robot/phase/phase_pairing.hpp"
+#include "robot/topology/hallway_config.hpp"
 
 /// The section `mission:` of scenes and robot files. Field order here is the order in the YAML; each default
 /// lives in its struct and nowhere else.
@@ -47,25 +48,34 @@ enum class OnOrderDoubt : std::uint8_t { kGoOn, kExchange, kStop };
 /// Gueaieb & Miah: along a path given by ceiling tags, by phase difference.
 struct PhaseMission {
   PhaseController controller{PhaseController::kFuzzy};
-  std::vector<std::string> destinations;         ///< names of tags in order; none: all, as they are listed
-  std::vector<std::string> exchanged;            ///< two tags whose codes the robot has the wrong way round
-  double speed_mps{0.2};                         ///< Gueaieb & Miah, section V
-  FuzzySets sets{kReproductionSets};             ///< fuzzy
-  Pairing pairing{Pairing::kSameInstant};        ///< fuzzy
-  PhasePath path{PhasePath::kPolyline};          ///< own; the fuzzy controller knows polylines only
-  bool slow_corners{false};                      ///< own: brakes and turns on the spot
-  double circle_radius_m{2.0};                   ///< own, circle_about
-  double circle_laps{1.0};                       ///< own, circle_about
-  OnMissingTag on_missing{OnMissingTag::kSkip};  ///< own
-  double order_factor{0.0};                      ///< own; 0: the list is not doubted
+  std::vector<std::string> destinations;           ///< names of tags in order; none: all, as they are listed
+  std::vector<std::string> exchanged;              ///< two tags whose codes the robot has the wrong way round
+  double speed_mps{0.2};                           ///< Gueaieb & Miah, section V
+  FuzzySets sets{kReproductionSets};               ///< fuzzy
+  Pairing pairing{Pairing::kSameInstant};          ///< fuzzy
+  PhasePath path{PhasePath::kPolyline};            ///< own; the fuzzy controller knows polylines only
+  bool slow_corners{false};                        ///< own: brakes and turns on the spot
+  double circle_radius_m{2.0};                     ///< own, circle_about
+  double circle_laps{1.0};                         ///< own, circle_about
+  OnMissingTag on_missing{OnMissingTag::kSkip};    ///< own
+  double order_factor{0.0};                        ///< own; 0: the list is not doubted
   OnOrderDoubt on_order{OnOrderDoubt::kExchange};  ///< own
-  std::optional<double> corridor_half_width_m;   ///< own: never further from its path than this
+  std::optional<double> corridor_half_width_m;     ///< own: never further from its path than this
+};
+
+/// Tsukiyama: through hallways by a map of places and tags.
+struct HallwaySection {
+  std::string from;    ///< place where it stands; empty: it finds out
+  std::string to;      ///< place to go to
+  bool survey{false};  ///< draws the map instead, and needs none
+  double speed_mps{HallwayConfig{}.speed_mps};
 };
 
 /// What the robot is to do. Exactly one member is set.
 struct Mission {
   std::optional<MapMission> map;
   std::optional<PhaseMission> phase;
+  std::optional<HallwaySection> hallway;
 };
 
 }  // namespace sensotwin::robot

@@ -58,4 +58,33 @@ std::vector<MissionProblem> problems_of(const PhaseMission& mission, const std::
   return problems;
 }
 
+std::vector<MissionProblem> problems_of(const HallwaySection& mission, const HallwayMap& map) {
+  std::vector<MissionProblem> problems;
+  if (mission.survey) {
+    return problems;
+  }
+  std::vector<std::string> names;
+  for (const HallwayNode& node : map.nodes()) {
+    names.push_back(node.name);
+  }
+  if (names.empty()) {
+    problems.push_back(
+        {"mission.hallway", "needs a hallway map", "expected a file with places, or survey: true"});
+    return problems;
+  }
+  const auto check = [&](const std::string& key, const std::string& name) {
+    if (!name.empty() && !map.find(name)) {
+      problems.push_back({"mission.hallway." + key,
+                          "there is no place '" + name + "'" + did_you_mean(name, names),
+                          "expected a place of the hallway map"});
+    }
+  };
+  check("from", mission.from);
+  check("to", mission.to);
+  if (mission.to.empty()) {
+    problems.push_back({"mission.hallway.to", "is missing", "expected a place to go to, or survey: true"});
+  }
+  return problems;
+}
+
 }  // namespace sensotwin::robot

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "robot/settings/mission.hpp"
+#include "robot/topology/hallway_map.hpp"
 
 namespace sensotwin::robot {
 
@@ -15,6 +16,9 @@ struct MissionProblem {
   std::string what;
   std::string hint;
 };
+
+/// \param map  that the mission goes by; a survey needs none
+[[nodiscard]] std::vector<MissionProblem> problems_of(const HallwaySection& mission, const HallwayMap& map);
 
 /// \param tags      names of the ceiling tags that the robot is told of
 /// \param antennas  of its UHF reader

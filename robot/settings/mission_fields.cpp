@@ -23,7 +23,8 @@ constexpr std::array<std::string_view, 3> kOrderWords{"go_on", "exchange", "stop
 std::span<const std::string_view> explorer_words() {
   static const auto kWords = [] {
     std::array<std::string_view, kExplorerKinds.size()> words;
-    std::transform(kExplorerKinds.begin(), kExplorerKinds.end(), words.begin(), name_of);
+    std::transform(kExplorerKinds.begin(), kExplorerKinds.end(), words.begin(),
+                   [](ExplorerKind kind) { return name_of(kind); });
     return words;
   }();
   return kWords;
@@ -102,10 +103,22 @@ void pace_fields(FieldVisitor& v, PaceSection& pace) {
   v.angle({"turn_degps", "turning on the spot, degrees/s"}, pace.turn_radps, {1.0, 240.0});
 }
 
+void place_name(FieldVisitor& v, const Field& field, std::string& name) {
+  v.maybe(
+      field, !name.empty(), [] {}, [&] { v.text(field, name); });
+}
+
+void hallway_fields(FieldVisitor& v, HallwaySection& mission) {
+  place_name(v, {"from", "place where it stands; left out: the first tag tells"}, mission.from);
+  place_name(v, {"to", "place to go to"}, mission.to);
+  v.flag({"survey", "draws the hallway map instead of using one"}, mission.survey);
+  v.number({"speed_mps", "driving, m/s"}, mission.speed_mps, {0.05, 0.45});
+}
+
 }  // namespace
 
 void mission_fields(FieldVisitor& v, Mission& mission) {
-  const std::array<FieldVisitor::Alternative, 2> missions{{
+  const std::array<FieldVisitor::Alternative, 3> missions{{
       {"map", [&] { mission.map.emplace(); },
        [&] {
          v.section({"map", "SensoBot: map the carpet"}, [&] {
@@ -123,10 +136,16 @@ void mission_fields(FieldVisitor& v, Mission& mission) {
          v.section({"phase", "Gueaieb & Miah: along ceiling tags by phase difference"},
                    [&] { phase_mission_fields(v, *mission.phase); });
        }},
+      {"hallway", [&] { mission.hallway.emplace(); },
+       [&] {
+         v.section({"hallway", "Tsukiyama: through hallways by places and tags"},
+                   [&] { hallway_fields(v, *mission.hallway); });
+       }},
   }};
-  v.one_of(mission.map     ? std::optional<std::size_t>{0}
-           : mission.phase ? std::optional<std::size_t>{1}
-                           : std::nullopt,
+  v.one_of(mission.map       ? std::optional<std::size_t>{0}
+           : mission.phase   ? std::optional<std::size_t>{1}
+           : mission.hallway ? std::optional<std::size_t>{2}
+                             : std::nullopt,
            missions);
 }
 

@@ -174,4 +174,30 @@ PhaseProgramConfig phase_config_of(const RobotSettings& settings) {
   return config;
 }
 
+HallwayProgramConfig hallway_config_of(const RobotSettings& settings) {
+  const HallwaySection& mission = *settings.mission.hallway;
+  const HallwayFile& hallways = settings.hallways;
+  HallwayProgramConfig config;
+  config.base = base_config_of(settings.base);
+  config.floor_reader = card_config_of(settings.floor_reader);
+  HallwayConfig robot;
+  robot.wheel_base_m = settings.base.wheel_base_m;
+  robot.metres_per_count = metres_per_count(settings.base);
+  robot.radius_m = settings.base.radius_m;
+  robot.plan_north_rad = hallways.north_rad;
+  robot.hallway_width_m = hallways.width_m;
+  robot.tag_to_middle_m = hallways.tag_to_middle_m;
+  robot.tag_reach_m = hallways.tag_reach_m;
+  robot.speed_mps = mission.speed_mps;
+  if (mission.survey) {
+    config.mission = HallwaySurveyConfig{.robot = robot};
+    return config;
+  }
+  config.mission = HallwayMissionConfig{.robot = robot,
+                                        .map = hallways.map,
+                                        .start = hallways.map.find(mission.from),
+                                        .goal = hallways.map.find(mission.to).value_or(0)};
+  return config;
+}
+
 }  // namespace sensotwin::robot

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "robot/mapping/move_cost.hpp"
+#include "robot/program/hallway_program.hpp"
 #include "robot/program/mapping_program.hpp"
 #include "robot/program/phase_program.hpp"
 #include "robot/settings/robot_settings.hpp"
@@ -22,6 +23,9 @@ namespace sensotwin::robot {
 [[nodiscard]] MappingProgramConfig mapping_config_of(const RobotSettings& settings);
 /// What the mission's explorer reckons with. \pre settings.mission.map
 [[nodiscard]] MoveCost move_cost_of(const RobotSettings& settings);
+
+/// \pre settings.mission.hallway; the places that it names are on the map
+[[nodiscard]] HallwayProgramConfig hallway_config_of(const RobotSettings& settings);
 
 /// Indices into the ceiling tags, in the order in which the mission goes to them. \pre settings.mission.phase
 [[nodiscard]] std::vector<std::size_t> destinations_of(const RobotSettings& settings);

@@ -100,13 +100,17 @@ void robot_fields(FieldVisitor& v, RobotSettings& settings) {
   of_the_twin_alone(v, {"start", "compass"});
 }
 
-void place_fields(FieldVisitor& v, RobotSettings& settings) {
+void place_fields(FieldVisitor& v, RobotFile& robot) {
+  RobotSettings& settings = robot.settings;
   v.number({"tile_m", "side of a carpet tile, m"}, settings.tile_m, {0.1, 5.0});
   v.list({"ceiling_tags", "UHF tags under the ceiling"}, settings.ceiling_tags, [&](KnownTag& tag) {
     v.text({"name", "for missions and events", true}, tag.name);
     v.hex({"epc", "its code, 24 hexadecimal digits", true}, tag.epc.bytes);
     v.number({"height_m", "above the floor, m"}, tag.height_m, {0.2, 100.0});
   });
+  const Field hallways{"hallways", "hallway map, a file beside this one"};
+  v.maybe(
+      hallways, !robot.hallways_file.empty(), [] {}, [&] { v.text(hallways, robot.hallways_file); });
   v.number({"floor_tag_radius_m", "a floor tag below a ceiling tag is read within this, m"},
            settings.floor_tag_radius_m, {0.001, 1.0});
 }
@@ -115,7 +119,7 @@ void visit_fields(FieldVisitor& v, RobotFile& robot) {
   v.whole({"version", "of this file format: 1", true}, robot.version, 1, 1);
   v.section({"devices", "where the devices are plugged in", true}, [&] { device_fields(v, robot.devices); });
   v.section({"robot", "the machine"}, [&] { robot_fields(v, robot.settings); });
-  v.section({"place", "what is known of the place"}, [&] { place_fields(v, robot.settings); });
+  v.section({"place", "what is known of the place"}, [&] { place_fields(v, robot); });
   v.section({"mission", "what the robot is to do; by default, map the carpet"},
             [&] { mission_fields(v, robot.settings.mission); });
   const Field map_id{"map_id", "written into tags, to tell this map from an older one; else a new one"};
@@ -182,6 +186,12 @@ void check_mission(const RobotFile& robot, const FieldReader& reader, std::vecto
     }
   };
   need(robot.devices.base.has_value(), "base", "the serial device of the Roomba, such as /dev/ttyUSB0");
+  if (settings.mission.hallway) {
+    need(robot.devices.sensors.has_value(), "sensors", "the serial device of compass and rangefinders");
+    for (const MissionProblem& problem : problems_of(*settings.mission.hallway, settings.hallways.map)) {
+      add(problem.path, problem.what, problem.hint);
+    }
+  }
   if (!settings.mission.phase) {
     need(!robot.devices.card_readers.empty(), "card_readers",
          "the PC/SC name of the reader under the robot (pcsc_scan -n lists them)");
@@ -219,6 +229,9 @@ RobotFile read_robot_text(const std::string& text, const std::filesystem::path& 
   FieldReader reader(root, problems);
   visit_fields(reader, robot);
   reader.finish();
+  if (!robot.hallways_file.empty()) {
+    robot.settings.hallways = read_hallway_file(file.parent_path() / robot.hallways_file);
+  }
   if (!reader.has("mission")) {
     robot.settings.mission.map.emplace();
   }

@@ -28,6 +28,7 @@ struct RobotFile {
   std::string file;  ///< as the user spelt it
   DeviceAddresses devices;
   RobotSettings settings;
+  std::string hallways_file;  ///< relative to this file; empty: none
   bool map_id_given{false};
   double time_limit_s{20700.0};  ///< the run ends undone after this. As of scenes
 };

@@ -10,6 +10,9 @@ RobotProgram::RobotProgram(const RobotLinks& links, const RobotSettings& setting
   if (settings.mission.phase) {
     phase_.emplace(PhaseLinks{links.base, links.uhf_reader, links.floor_reader, links.sensors},
                    phase_config_of(settings));
+  } else if (settings.mission.hallway) {
+    hallway_.emplace(HallwayLinks{links.base, links.floor_reader, links.sensors},
+                     hallway_config_of(settings));
   } else {
     mapping_.emplace(MappingLinks{links.base, links.floor_reader, links.forward_reader, links.sensors},
                      mapping_config_of(settings),
@@ -18,31 +21,31 @@ RobotProgram::RobotProgram(const RobotLinks& links, const RobotSettings& setting
 }
 
 void RobotProgram::step(Instant now) {
-  phase_ ? phase_->step(now) : mapping_->step(now);
+  phase_ ? phase_->step(now) : hallway_ ? hallway_->step(now) : mapping_->step(now);
 }
 
 void RobotProgram::shut_down() {
-  phase_ ? phase_->shut_down() : mapping_->shut_down();
+  phase_ ? phase_->shut_down() : hallway_ ? hallway_->shut_down() : mapping_->shut_down();
 }
 
 bool RobotProgram::done() const {
-  return phase_ ? phase_->done() : mapping_->done();
+  return phase_ ? phase_->done() : hallway_ ? hallway_->done() : mapping_->done();
 }
 
 const Roomba& RobotProgram::base() const {
-  return phase_ ? phase_->base() : mapping_->base();
+  return phase_ ? phase_->base() : hallway_ ? hallway_->base() : mapping_->base();
 }
 
 const TagReader& RobotProgram::floor_reader() const {
-  return phase_ ? phase_->floor_reader() : mapping_->floor_reader();
+  return phase_ ? phase_->floor_reader() : hallway_ ? hallway_->floor_reader() : mapping_->floor_reader();
 }
 
 const Compass& RobotProgram::compass() const {
-  return phase_ ? phase_->compass() : mapping_->compass();
+  return phase_ ? phase_->compass() : hallway_ ? hallway_->compass() : mapping_->compass();
 }
 
 const WheelSpeeds& RobotProgram::wheels() const {
-  return phase_ ? phase_->wheels() : mapping_->wheels();
+  return phase_ ? phase_->wheels() : hallway_ ? hallway_->wheels() : mapping_->wheels();
 }
 
 }  // namespace sensotwin::robot

@@ -6,6 +6,7 @@
 #include "robot/base/time.hpp"
 #include "robot/hal/byte_link.hpp"
 #include "robot/hal/card_link.hpp"
+#include "robot/program/hallway_program.hpp"
 #include "robot/program/mapping_program.hpp"
 #include "robot/program/phase_program.hpp"
 #include "robot/settings/robot_settings.hpp"
@@ -38,13 +39,15 @@ class RobotProgram {
   [[nodiscard]] const TagReader& floor_reader() const;
   [[nodiscard]] const Compass& compass() const;
   [[nodiscard]] const WheelSpeeds& wheels() const;
-  /// The one of the two that runs; the other is nullptr.
+  /// The one of the three that runs; the others are nullptr.
   [[nodiscard]] MappingProgram* mapping() { return mapping_ ? &*mapping_ : nullptr; }
   [[nodiscard]] PhaseProgram* phase() { return phase_ ? &*phase_ : nullptr; }
+  [[nodiscard]] HallwayProgram* hallway() { return hallway_ ? &*hallway_ : nullptr; }
 
  private:
   std::optional<MappingProgram> mapping_;
   std::optional<PhaseProgram> phase_;
+  std::optional<HallwayProgram> hallway_;
 };
 
 }  // namespace sensotwin::robot

@@ -9,6 +9,7 @@
 #include "robot/base/geometry.hpp"
 #include "robot/mapping/mapping_config.hpp"
 #include "robot/phase/estimation/phase_model.hpp"
+#include "robot/settings/hallway_file.hpp"
 #include "robot/settings/mission.hpp"
 #include "robot/wire/storage_card.hpp"
 
@@ -72,6 +73,7 @@ struct RobotSettings {
   double tile_m{0.508};  ///< edge of a carpet tile, 20 inches (SensoBot, III.A)
   std::vector<KnownTag> ceiling_tags;
   double floor_tag_radius_m{0.08};  ///< of a floor tag below a ceiling tag
+  HallwayFile hallways;             ///< of missions in hallways
   Mission mission;
   std::uint32_t map_id{1};  ///< written into tags, to tell this map from an older one
 };

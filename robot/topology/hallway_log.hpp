@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <array>
+#include <cstddef>
 #include <cstdint>
 #include <string>
 #include <string_view>
@@ -74,6 +76,15 @@ enum class HallwayEventKind : std::uint8_t {
       return "lost, stopped";
   }
   return "";
+}
+
+/// For machines: snake case.
+[[nodiscard]] constexpr std::string_view name_of(HallwayEventKind kind) {
+  constexpr std::array<std::string_view, 18> kNames{
+      "placed",     "route",        "left",      "tag",     "strange_tag",     "arrived",
+      "tag_missed", "turned_wrong", "elsewhere", "waiting", "went_round",      "blocked",
+      "bumped",     "map_whole",    "goal",      "no_way",  "only_by_unknown", "lost"};
+  return kNames[static_cast<std::size_t>(kind)];
 }
 
 struct HallwayEvent {

@@ -113,7 +113,8 @@ Task<bool> HallwaySurvey::go(HallwayLeg leg) {
   if (passage.end == PassageEnd::kBlocked && !leg.to && passage.way_m > 2.0 * walk_.tag_to_middle_m()) {
     // Nobody and nothing that went away or could be passed: the end of the hallway, its tag not read.
     passage.end = PassageEnd::kArrived;
-    passage.to_middle_m = walk_.config().stop_m + walk_.config().radius_m - 0.5 * walk_.config().hallway_width_m;
+    passage.to_middle_m =
+        walk_.config().stop_m + walk_.config().radius_m - 0.5 * walk_.config().hallway_width_m;
     say(HallwayEventKind::kTagMissed, opposite(leg.heading));
   }
   if (passage.end == PassageEnd::kBlocked) {

@@ -39,6 +39,8 @@ class HallwaySurvey final : private PlaceWatcher {
 
   /// The map so far; sound at any time.
   [[nodiscard]] const HallwayMap& map() const { return map_; }
+  /// The last place it was at.
+  [[nodiscard]] std::optional<NodeIndex> place() const { return here_; }
   [[nodiscard]] bool done() const { return whole_ || lost_; }
   /// No '?' is left that could be reached.
   [[nodiscard]] bool whole() const { return whole_; }

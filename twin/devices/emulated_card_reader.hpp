@@ -17,6 +17,7 @@ namespace sensotwin::twin {
 
 struct CardReaderSettings {
   robot::Duration exchange{};          ///< from begin() to the answer
+  double missed_share{0.0};            ///< of tags come upon that are not heard until they are left again
   double torn_write_probability{0.0};  ///< that a block cut off while it is programmed ends as a mixture
   robot::UidOrder uid_order{robot::UidOrder::kMsbFirst};
   /// The reader's own limit; an answer delayed beyond it becomes kTimeout. Chosen: CCID readers wait about 1
@@ -82,7 +83,9 @@ class EmulatedCardReader final : public robot::CardLink {
   CardReaderSettings settings_;
   robot::RandomStream random_;
   robot::Instant now_{};
-  world::TagMemory* tag_{nullptr};
+  world::TagMemory* in_field_{nullptr};
+  world::TagMemory* tag_{nullptr};  ///< that answers
+  bool missed_{false};              ///< the one in the field does not
   bool plugged_{true};
   bool swapped_{false};  ///< another tag took the place of one, and nobody asked since
   robot::Duration extra_delay_{};

@@ -3,8 +3,10 @@
 
 #include <algorithm>
 #include <cassert>
+#include <vector>
 
 #include "robot/wire/nmea.hpp"
+#include "robot/wire/nmea_distances.hpp"
 
 namespace sensotwin::twin {
 
@@ -18,7 +20,8 @@ robot::Instant EmulatedCompassBoard::due() const {
   return robot::Instant{robot::from_s(static_cast<double>(sentences_ + 1) / rate_hz_)};
 }
 
-void EmulatedCompassBoard::step(robot::Instant now, double yaw_from_north_rad) {
+void EmulatedCompassBoard::step(robot::Instant now, double yaw_from_north_rad,
+                                std::span<const std::optional<double>> ranges_m) {
   if (now < due_) {
     return;
   }
@@ -29,7 +32,22 @@ void EmulatedCompassBoard::step(robot::Instant now, double yaw_from_north_rad) {
   if (!plugged_) {
     return;
   }
-  const robot::Bytes sentence = robot::encode_hdm({robot::heading_deg_from_yaw_rad(yaw_from_north_rad)});
+  say(robot::encode_hdm({robot::heading_deg_from_yaw_rad(yaw_from_north_rad)}));
+  say_distances(ranges_m);
+}
+
+void EmulatedCompassBoard::say_distances(std::span<const std::optional<double>> ranges_m) {
+  std::vector<robot::Distance> said;
+  for (std::size_t i = 0; i < ranges_m.size(); ++i) {
+    said.push_back({static_cast<std::uint8_t>(i), ranges_m[i]});
+    if (said.size() == robot::kDistancesEncoded || i + 1 == ranges_m.size()) {
+      say(robot::encode_distances(said));
+      said.clear();
+    }
+  }
+}
+
+void EmulatedCompassBoard::say(robot::ByteView sentence) {
   for (const std::uint8_t byte : sentence) {
     buffer_[(first_ + size_) % kBufferBytes] = byte;
     if (size_ == kBufferBytes) {

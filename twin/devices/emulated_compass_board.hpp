@@ -3,6 +3,8 @@
 
 #include <array>
 #include <cstdint>
+#include <optional>
+#include <span>
 
 #include "robot/base/time.hpp"
 #include "robot/hal/byte_link.hpp"
@@ -10,10 +12,10 @@
 
 namespace sensotwin::twin {
 
-/// A compass board that says `$HCHDM,x.x,M*hh` at a fixed rate, at instants k / rate of virtual time (k = 1,
-/// 2 ...), whatever the length of the steps. It rounds to the tenth of a degree of its sentence, and to
-/// nothing else. Leaves out: the time the sentence spends on the wire (18 bytes, 37 ms at 4800 baud, 5 ms at
-/// 38400).
+/// A sensor board: a compass that says `$HCHDM,x.x,M*hh`, and rangefinders, where it has any, in `$YXXDR`
+/// sentences, at a fixed rate, at instants k / rate of virtual time (k = 1, 2 ...), whatever the length of
+/// the steps. It rounds to the tenth of a degree of its sentence, and to nothing else. Leaves out: the time
+/// the sentence spends on the wire (18 bytes, 37 ms at 4800 baud, 5 ms at 38400).
 class EmulatedCompassBoard final : public robot::ByteLink {
  public:
   explicit EmulatedCompassBoard(const world::CompassDescription& description);
@@ -22,7 +24,9 @@ class EmulatedCompassBoard final : public robot::ByteLink {
   /// \param now  never earlier than before
   /// \param yaw_from_north_rad  what the sensor element measures now, noise and distortion included:
   ///   counter-clockwise from magnetic north
-  void step(robot::Instant now, double yaw_from_north_rad);
+  /// \param ranges_m  of the rangefinders, left to right, at most ten; nothing inside: no echo
+  void step(robot::Instant now, double yaw_from_north_rad,
+            std::span<const std::optional<double>> ranges_m = {});
 
   /// Whether step(now, ...) would send a sentence: a reading need be measured only then.
   [[nodiscard]] bool is_due(robot::Instant now) const { return now >= due_; }
@@ -38,6 +42,8 @@ class EmulatedCompassBoard final : public robot::ByteLink {
   std::size_t do_read(std::span<std::uint8_t> into) override;
   [[nodiscard]] bool do_is_up() const override { return plugged_; }
   [[nodiscard]] robot::Instant due() const;
+  void say(robot::ByteView sentence);
+  void say_distances(std::span<const std::optional<double>> ranges_m);
 
   double rate_hz_;
   std::int64_t sentences_{0};  ///< whose instant has passed

@@ -39,6 +39,23 @@ constexpr std::array<Figure<MapResult>, 16> kMapFigures{{
     {"moves_recovered", &MapResult::moves_recovered},
 }};
 
+constexpr std::array<Figure<HallwayResult>, 14> kHallwayFigures{{
+    {"arrived", &HallwayResult::arrived},
+    {"length_m", &HallwayResult::length_m},
+    {"shortest_m", &HallwayResult::shortest_m},
+    {"detour", &HallwayResult::detour},
+    {"wall_contacts", &HallwayResult::wall_contacts},
+    {"end_error_m", &HallwayResult::end_error_m},
+    {"minutes", &HallwayResult::minutes},
+    {"tags_read", &HallwayResult::tags_read},
+    {"tags_missed", &HallwayResult::tags_missed},
+    {"turned_wrong", &HallwayResult::turned_wrong},
+    {"blocked", &HallwayResult::blocked},
+    {"went_round", &HallwayResult::went_round},
+    {"places", &HallwayResult::places},
+    {"map_differences", &HallwayResult::map_differences},
+}};
+
 constexpr std::array<Figure<PathResult>, 16> kPathFigures{{
     {"rmse_m", &PathResult::rmse_m},
     {"rmse_first_half_m", &PathResult::rmse_first_half_m},
@@ -135,6 +152,9 @@ Figures figures_of(const Summary& summary) {
   if (summary.path) {
     put_figures(figures, *summary.path, kPathFigures);
   }
+  if (summary.hallway) {
+    put_figures(figures, *summary.hallway, kHallwayFigures);
+  }
   return figures;
 }
 
@@ -142,6 +162,7 @@ std::vector<std::string> figure_names() {
   Summary every_section;
   every_section.map.emplace();
   every_section.path.emplace();
+  every_section.hallway.emplace();
   std::vector<std::string> names;
   for (const auto& [name, value] : figures_of(every_section)) {
     names.push_back(name);
@@ -200,6 +221,10 @@ std::string to_json(const Summary& summary) {
   if (summary.path) {
     json["path"]["controller"] = summary.path->controller;
     put_figures(json["path"], *summary.path, kPathFigures);
+  }
+  if (summary.hallway) {
+    json["hallway"]["mission"] = summary.hallway->mission;
+    put_figures(json["hallway"], *summary.hallway, kHallwayFigures);
   }
   put_figures(json["links"], summary.links, kLinkFigures);
   return text_of(json);

@@ -55,6 +55,25 @@ struct PathResult {
   std::int64_t uhf_faults{0};
 };
 
+/// What a mission in hallways came to.
+struct HallwayResult {
+  std::string mission{};   ///< "go" or "survey"
+  int arrived{0};          ///< 1: it says that it is at the goal, and is; of a survey, that its map is whole
+  double length_m{0.0};    ///< driven, in truth
+  double shortest_m{0.0};  ///< from start to goal over the hallways of the map; 0 of a survey
+  double detour{0.0};      ///< length_m / shortest_m; 0 where there is no shortest way
+  int wall_contacts{0};
+  double end_error_m{0.0};  ///< at the end, from the middle of the goal
+  double minutes{0.0};
+  int tags_read{0};
+  int tags_missed{0};      ///< places that it knew by its rangefinders alone
+  int turned_wrong{0};     ///< times that a tag told it that it faced another way
+  int blocked{0};          ///< hallways given up
+  int went_round{0};       ///< things passed
+  int places{0};           ///< of its map at the end
+  int map_differences{0};  ///< of a survey: sides of places that are not as drawn
+};
+
 /// Health of the wires, counted by the drivers on the robot's side.
 struct LinkHealth {
   std::int64_t roomba_frames{0};
@@ -91,6 +110,7 @@ struct Summary {
   double sim_s{0.0};
   std::optional<MapResult> map;
   std::optional<PathResult> path;
+  std::optional<HallwayResult> hallway;
   LinkHealth links;
 };
 

@@ -66,7 +66,8 @@ void Machine::tick_devices() {
   floor_reader_.step(now_, floor_tag ? &world_.tag_memory(*floor_tag) : nullptr);
   if (compass_.is_due(now_)) {
     // The world's compass counts clockwise, as a compass card does.
-    compass_.step(now_, -world_.compass_heading_rad());
+    const double yaw_rad = -world_.compass_heading_rad();
+    compass_.step(now_, yaw_rad, world_.sonar_ranges_m());
   }
 }
 

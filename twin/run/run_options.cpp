@@ -29,10 +29,13 @@ std::vector<FigureLimits> limits_of(const Scene& scene) {
 }
 
 const char* progress_unit_of(const Scene& scene) {
-  return scene.mission.phase ? "tags" : "tiles";
+  return scene.mission.hallway ? "missions" : scene.mission.phase ? "tags" : "tiles";
 }
 
 int progress_total_of(const Scene& scene) {
+  if (scene.mission.hallway) {
+    return 1;
+  }
   return static_cast<int>(scene.mission.phase ? destinations_of(scene).size()
                                               : scene.world.carpet.tiles.size());
 }

@@ -16,6 +16,12 @@ std::string robot_file_of(const Scene& scene) {
   if (scene.mission.phase) {
     file.devices.llrp = "twin";
     file.settings = robot_settings_of(scene, radio_of(scene, random));
+  } else if (scene.mission.hallway) {
+    file.settings = hallway_settings_of(scene);
+    const std::string& name =
+        scene.layout.hallways ? scene.layout.hallways->file : scene.layout.map->hallways;
+    file.hallways_file =
+        std::filesystem::absolute(std::filesystem::path(scene.file).parent_path() / name).string();
   } else {
     file.settings = robot_settings_of(scene, map_id_of(scene));
     file.map_id_given = true;
@@ -48,6 +54,19 @@ PhaseTwin::Rewiring TwinJournal::on_phase_wires() {
         robot::RobotLinks{links.base, links.sensors, links.uhf_reader, links.floor_reader, no_card_}, writer);
     const robot::RobotLinks tapped = wiring_->links();
     return {tapped.base, tapped.uhf_reader, tapped.floor_reader, tapped.sensors};
+  };
+}
+
+HallwayTwin::Rewiring TwinJournal::on_hallway_wires() {
+  robot::JournalWriter* const writer = file_.writer();
+  if (writer == nullptr) {
+    return {};
+  }
+  return [this, writer](const robot::HallwayLinks& links) -> robot::HallwayLinks {
+    wiring_ = std::make_unique<robot::Wiring>(
+        robot::RobotLinks{links.base, links.sensors, no_reader_, links.floor_reader, no_card_}, writer);
+    const robot::RobotLinks tapped = wiring_->links();
+    return {tapped.base, tapped.floor_reader, tapped.sensors};
   };
 }
 

@@ -9,6 +9,7 @@
 #include "robot/hal/no_device.hpp"
 #include "robot/replay/journal_file.hpp"
 #include "robot/replay/wiring.hpp"
+#include "twin/run/hallway_twin.hpp"
 #include "twin/run/mapping_twin.hpp"
 #include "twin/run/phase_twin.hpp"
 #include "twin/scene/scene.hpp"
@@ -31,6 +32,7 @@ class TwinJournal {
 
   [[nodiscard]] MappingTwin::Rewiring on_mapping_wires();
   [[nodiscard]] PhaseTwin::Rewiring on_phase_wires();
+  [[nodiscard]] HallwayTwin::Rewiring on_hallway_wires();
   /// After each tick.
   void end_tick(robot::Instant now) {
     if (robot::JournalWriter* writer = file_.writer()) {

@@ -159,7 +159,7 @@ void hazard_fields(FieldVisitor& v, world::WorldDescription& world) {
 
 void world_fields(FieldVisitor& v, Scene& scene) {
   Layout& layout = scene.layout;
-  const std::array<FieldVisitor::Alternative, 2> places{{
+  const std::array<FieldVisitor::Alternative, 3> places{{
       {"room", [&] { layout.room.emplace(); },
        [&] {
          v.section({"room", "a room drawn by its corners"}, [&] { room_fields(v, *layout.room); });
@@ -168,12 +168,23 @@ void world_fields(FieldVisitor& v, Scene& scene) {
        [&] {
          v.section({"map", "a ROS map_server map"}, [&] {
            v.text({"file", "its YAML file, relative to the scene file", true}, layout.map->file);
+           const Field hallways{"hallways", "hallway map of the building, relative to the scene file"};
+           v.maybe(
+               hallways, !layout.map->hallways.empty(), [] {},
+               [&] { v.text(hallways, layout.map->hallways); });
+         });
+       }},
+      {"hallways", [&] { layout.hallways.emplace(); },
+       [&] {
+         v.section({"hallways", "a building drawn from its hallway map"}, [&] {
+           v.text({"file", "the hallway map, relative to the scene file", true}, layout.hallways->file);
          });
        }},
   }};
-  v.one_of(layout.room  ? std::optional<std::size_t>{0}
-           : layout.map ? std::optional<std::size_t>{1}
-                        : std::nullopt,
+  v.one_of(layout.room       ? std::optional<std::size_t>{0}
+           : layout.map      ? std::optional<std::size_t>{1}
+           : layout.hallways ? std::optional<std::size_t>{2}
+                             : std::nullopt,
            places);
   v.section_or_word(
       {"carpet", "tiles with a tag in the middle of each"}, kNoneWord,
@@ -207,8 +218,28 @@ void reader_fields(FieldVisitor& v, world::ReaderDescription& reader) {
   v.point({"at_m", "middle of its spot, in the robot's frame, m"}, reader.at_m, {-1.0, 1.0});
   v.number({"read_radius_m", "a tag answers within this radius, m"}, reader.read_radius_m, {0.005, 1.0});
   v.number({"exchange_s", "time of one command and its answer, s"}, reader.exchange_s, {0.0, 1.0});
+  v.number({"missed_share", "of tags come upon that are not heard until they are left again"},
+           reader.missed_share, kFraction);
   v.number({"torn_write_probability", "that a write cut off leaves a mixed block"},
            reader.torn_write_probability, kFraction);
+}
+
+void sonar_fields(FieldVisitor& v, std::optional<world::SonarDescription>& sonar) {
+  const Field field{"sonar", "seven ultrasonic rangefinders on the sensor board; there in hallways"};
+  v.maybe(field, sonar, [&](world::SonarDescription& s) {
+    v.section(field, [&] {
+      v.angle({"half_angle_deg", "of the cone, degrees"}, s.half_angle_rad, {1.0, 45.0});
+      v.number({"min_range_m", "nearer things are told to be as far, m"}, s.min_range_m, {0.0, 1.0});
+      v.number({"max_range_m", "farther things are not heard, m"}, s.max_range_m, {0.5, 20.0});
+      v.number({"noise_sigma_m", "1 sigma, m"}, s.noise_sigma_m, {0.0, 1.0});
+      v.angle({"specular_limit_deg", "from its normal a wall answers up to here, degrees"},
+              s.specular_limit_rad, {0.0, 90.0});
+      v.number({"corner_range_m", "a corner is heard this near, m"}, s.corner_range_m, {0.0, 20.0});
+      v.number({"dropout", "share of readings without an echo"}, s.dropout, kFraction);
+      v.number({"crosstalk", "share of readings that hear a neighbour's nearer echo"}, s.crosstalk,
+               kFraction);
+    });
+  });
 }
 
 void robot_fields(FieldVisitor& v, Scene& scene) {
@@ -222,6 +253,7 @@ void robot_fields(FieldVisitor& v, Scene& scene) {
             [&] { reader_fields(v, robot.floor_reader); });
   v.section({"forward_reader", "reads the tags ahead"}, [&] { reader_fields(v, robot.forward_reader); });
   uhf_reader_fields(v, scene.world);
+  sonar_fields(v, robot.sonar);
   v.section({"compass", "heading from the earth's field"}, [&] {
     v.number({"rate_hz", "sentences a second, Hz"}, robot.compass.rate_hz, {0.1, 66.0});
     v.angle({"noise_sigma_deg", "1 sigma, degrees"}, robot.compass.noise_sigma_rad, {0.0, 180.0});

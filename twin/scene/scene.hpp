@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "robot/base/geometry.hpp"
+#include "robot/settings/hallway_file.hpp"
 #include "robot/settings/mission.hpp"
 #include "world/description.hpp"
 
@@ -34,6 +35,12 @@ struct RoomPlan {
 /// A ROS map_server map: the path of its YAML, relative to the scene file.
 struct MapPlan {
   std::string file;
+  std::string hallways{};  ///< hallway map of the building, relative to the scene file; empty: none
+};
+
+/// A building of hallways, drawn from its hallway map: walls on both sides of every hallway.
+struct HallwaysPlan {
+  std::string file;  ///< relative to the scene file
 };
 
 /// Which tiles are laid. A tile exists where its middle, which is where its tag sits, lies on floor: slivers
@@ -51,14 +58,16 @@ struct CarpetPlan {
   double tag_offset_sigma_m{world::Carpet{}.tag_offset_sigma_m};
 };
 
-/// What the scene file says of the place, from which Scene::world is made. Exactly one of room and map is
-/// set.
+/// What the scene file says of the place, from which Scene::world is made. Exactly one of room, map and
+/// hallways is set.
 struct Layout {
   std::optional<RoomPlan> room;
   std::optional<MapPlan> map;
+  std::optional<HallwaysPlan> hallways;
   CarpetPlan carpet;
 };
 
+using robot::HallwaySection;
 using robot::MapMission;
 using robot::Mission;
 using robot::OnMissingTag;
@@ -117,6 +126,7 @@ struct Scene {
   world::RobotDescription robot;
   world::PhysicsDescription physics;
   Mission mission;
+  robot::HallwayFile hallways;  ///< that `layout` names; empty where there is none
   std::vector<Expectation> expect;
   RunLimits limits;
 };

@@ -7,9 +7,11 @@
 #include <cctype>
 #include <utility>
 
+#include "robot/settings/mission_checks.hpp"
 #include "twin/scene/field_reader.hpp"
 #include "twin/scene/fields.hpp"
 #include "twin/scene/floor_plan.hpp"
+#include "twin/scene/hallway_building.hpp"
 #include "twin/scene/map_import.hpp"
 #include "twin/scene/override.hpp"
 #include "twin/scene/phase_fields.hpp"
@@ -41,6 +43,57 @@ std::string first_comment(const std::string& text) {
   return "";
 }
 
+/// The hallway map that the scene names, its tags in the world, and what hallways want by default: no carpet,
+/// rangefinders, a start at the place where the mission begins.
+void take_hallways(Scene& scene, const std::filesystem::path& folder, const FieldReader& reader,
+                   std::vector<Problem>& problems, int& exit_code) {
+  const bool drawn = scene.layout.hallways.has_value();
+  const std::string name = drawn              ? scene.layout.hallways->file
+                           : scene.layout.map ? scene.layout.map->hallways
+                                              : "";
+  const std::string path = drawn ? "world.hallways.file" : "world.map.hallways";
+  const auto add = [&](std::string what, std::string hint) {
+    problems.push_back({reader.place(path), path, std::move(what), std::move(hint)});
+  };
+  if (name.empty()) {
+    if (scene.mission.hallway) {
+      problems.push_back({reader.place("mission.hallway"), "mission.hallway", "needs hallways",
+                          "expected world.hallways.file, or world.map.hallways"});
+    }
+    return;
+  }
+  try {
+    scene.hallways = robot::read_hallway_file(folder / name);
+  } catch (const SceneError& error) {
+    exit_code = error.exit_code() == kExitMissing ? kExitMissing : exit_code;
+    problems.insert(problems.end(), error.problems().begin(), error.problems().end());
+    return;
+  }
+  for (const robot::HallwayNode& node : scene.hallways.map.nodes()) {
+    if (!node.at_m) {
+      add("place '" + node.name + "' has no position", "expected at_m: [x, y] for each place of a scene");
+      scene.hallways.map = {};
+      return;
+    }
+  }
+  scene.world.hallway_tags = tags_of(scene.hallways);
+  scene.world.hallway_tag_reach_m = scene.hallways.tag_reach_m;
+  if (!scene.mission.hallway) {
+    return;
+  }
+  if (!scene.robot.sonar) {
+    scene.robot.sonar.emplace();
+  }
+  for (const robot::MissionProblem& problem :
+       robot::problems_of(*scene.mission.hallway, scene.hallways.map)) {
+    problems.push_back({reader.place(problem.path), problem.path, problem.what, problem.hint});
+  }
+  const auto from = scene.hallways.map.find(scene.mission.hallway->from);
+  if (from && !reader.has("robot.start.at_m")) {
+    scene.robot.X_WR_start = {*scene.hallways.map.node(*from).at_m, 0.5 * robot::kPi};
+  }
+}
+
 /// The floor of the scene's room or map; its walls are put into the world.
 std::optional<FloorPlan> build_walls(Scene& scene, const std::filesystem::path& folder, SceneChecks& checks,
                                      const FieldReader& reader, std::vector<Problem>& problems,
@@ -55,6 +108,11 @@ std::optional<FloorPlan> build_walls(Scene& scene, const std::filesystem::path& 
       scene.world.walls.push_back({partition.points_m, partition.closed && partition.points_m.size() > 2});
     }
     return FloorPlan(scene.layout.room->walls_m);
+  }
+  if (scene.layout.hallways && !scene.hallways.map.nodes().empty()) {
+    OccupancyMap building = floor_of(scene.hallways);
+    scene.world.walls = outline(building);
+    return FloorPlan(std::move(building));
   }
   if (!scene.layout.map || scene.layout.map->file.empty()) {
     return std::nullopt;
@@ -90,7 +148,8 @@ void furnish(Scene& scene, const FloorPlan& floor, SceneChecks& checks, const Fi
     scene.layout.carpet.origin_m = scene.world.carpet.origin_m;
   }
   checks.on_floor(floor);
-  if (reader.has("robot.start.at_m") || !problems.empty()) {
+  if (reader.has("robot.start.at_m") || !problems.empty() ||
+      (scene.mission.hallway && !scene.mission.hallway->from.empty())) {
     return;
   }
   if (const std::optional<robot::Pose2> start = find_start(scene)) {
@@ -157,6 +216,7 @@ Scene read_scene_text(const std::string& text, const std::filesystem::path& file
   }
 
   complete_radio(scene);
+  take_hallways(scene, file.parent_path(), reader, problems, exit_code);
   SceneChecks checks(scene, reader, problems);
   checks.by_itself();
   if (const auto floor = build_walls(scene, file.parent_path(), checks, reader, problems, exit_code)) {

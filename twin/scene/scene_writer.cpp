@@ -8,10 +8,18 @@ namespace sensotwin::twin {
 
 std::string scene_yaml(const Scene& scene, const std::filesystem::path& folder) {
   Scene shown = scene;
-  if (shown.layout.map && !folder.empty()) {
-    const std::filesystem::path map =
-        std::filesystem::path(scene.file).parent_path() / scene.layout.map->file;
-    shown.layout.map->file = std::filesystem::proximate(map, folder).string();
+  const auto spell = [&](std::string& file) {
+    if (!folder.empty() && !file.empty()) {
+      const std::filesystem::path there = std::filesystem::path(scene.file).parent_path() / file;
+      file = std::filesystem::proximate(there, folder).string();
+    }
+  };
+  if (shown.layout.map) {
+    spell(shown.layout.map->file);
+    spell(shown.layout.map->hallways);
+  }
+  if (shown.layout.hallways) {
+    spell(shown.layout.hallways->file);
   }
   robot::FieldWriter writer;
   visit_fields(writer, shown);

@@ -13,9 +13,9 @@ namespace sensotwin::twin {
 /// and checked as if the file said it itself:
 ///
 ///   variants:
-///     slow:                                          # twin run SCENE --variant slow
-///       mission.phase.speed_mps: 0.1                 # a path as of --set: a value that replaces what is
-///       there expect: { rmse_m: { max: 0.02 } }
+///     slow:                               # twin run SCENE --variant slow
+///       mission.phase.speed_mps: 0.1      # a path as of --set, and what replaces it
+///       expect: { rmse_m: { max: 0.02 } }
 ///     slow_and_noisy:
 ///       from: slow                                   # a variant above: first what it says, then this
 ///       world.radio.noise_scale: 3

@@ -47,7 +47,7 @@ const std::vector<Mistake> kKeyMistakes{
     {"AStartWithoutPlace", "at_m: [1, 1], heading", "heading",
      "s.yaml:10:3: error: robot.start.at_m: is missing; expected a value (x and y in the world, m)"},
     {"NeitherRoomNorMap", "  room: { walls_m: [[0, 0], [4, 0], [4, 3], [0, 3]] }\n", "",
-     "s.yaml:4:1: error: world: needs one of: room, map; none is given"},
+     "s.yaml:4:1: error: world: needs one of: room, map, hallways; none is given"},
     {"BothRoomAndMap", "  carpet:", "  map: { file: m.yaml }\n  carpet:",
      "s.yaml:6:3: error: world.map: does not go with 'room'; leave one of them out"},
     {"FurnitureWithoutShape", ", size_m: [1, 0.5]", "",
@@ -118,7 +118,7 @@ const std::vector<Mistake> kMissionMistakes{
      "s.yaml:12:32: error: mission.map.pace: is 'papers'; expected a section, or the word own or paper (did "
      "you mean 'paper'?)"},
     {"AMissionWithoutKind", "mission:\n  map: { explorer: idfm }", "mission: {}",
-     "s.yaml:11:1: error: mission: needs one of: map, phase; none is given"},
+     "s.yaml:11:1: error: mission: needs one of: map, phase, hallway; none is given"},
     {"AnExpectationWithoutBounds", "{ min: 1 }", "{}",
      "s.yaml:14:3: error: expect.tiles_mapped: needs min or max or mean or median or quantile_2_5 or "
      "quantile_5 or quantile_95 or quantile_97_5; none is given"},

@@ -1,0 +1,124 @@
+// SPDX-License-Identifier: MIT
+#include "twin/run/hallway_run.hpp"
+
+#include <fmt/format.h>
+
+#include "render/phase_pictures.hpp"
+#include "render/png_writer.hpp"
+#include "twin/output/output_error.hpp"
+#include "twin/run/hallway_recorder.hpp"
+#include "twin/run/hallway_twin.hpp"
+#include "twin/run/tick_loop.hpp"
+#include "twin/run/twin_journal.hpp"
+#include "twin/scene/floor_plan.hpp"
+
+namespace sensotwin::twin {
+namespace {
+
+LinkHealth links_of(const robot::HallwayProgram& program) {
+  LinkHealth links;
+  const robot::LinkHealth& base = program.base().health();
+  links.roomba_frames = static_cast<std::int64_t>(base.frames_good);
+  links.roomba_frames_corrupt = static_cast<std::int64_t>(base.frames_corrupt);
+  links.roomba_frames_missed = static_cast<std::int64_t>(base.frames_missed);
+  const robot::ReaderHealth& floor = program.floor_reader().health();
+  links.card_exchanges = floor.exchanges;
+  links.card_exchanges_failed = floor.removed + floor.timeouts;
+  links.compass_sentences = program.compass().health().headings;
+  links.compass_sentences_corrupt = program.compass().health().bad_checksum;
+  return links;
+}
+
+std::string figures_in_words(const HallwayResult& result) {
+  if (result.mission == "survey") {
+    return fmt::format("{} places found in {:.1f} min and {:.0f} m", result.places, result.minutes,
+                       result.length_m);
+  }
+  return fmt::format("{:.1f} m driven, {:.1f} m the shortest way, {} tags read, {} places known without",
+                     result.length_m, result.shortest_m, result.tags_read, result.tags_missed);
+}
+
+/// The way driven through the building, places and hallways of the map beneath it.
+render::PhaseRunView view_of(const Scene& scene, const HallwayTwin& twin, const HallwayRecorder& recorder,
+                             const HallwayResult& result) {
+  render::PhaseRunView view;
+  view.title = scene.title;
+  view.subtitle = figures_in_words(result);
+  view.scene = scene.name;
+  view.seed = scene.seed;
+  for (const world::Wall& wall : scene.world.walls) {
+    view.walls.push_back({wall.points_m, wall.closed});
+  }
+  for (const world::Furniture& piece : scene.world.furniture) {
+    if (piece.shape == world::FurnitureShape::kBox || piece.shape == world::FurnitureShape::kPolygon) {
+      view.walls.push_back({footprint_m(piece), true});
+    }
+  }
+  for (const robot::HallwayNode& node : scene.hallways.map.nodes()) {
+    view.tags.push_back({node.name, *node.at_m, false});
+  }
+  view.tags_are = "place";
+  view.driven = recorder.driven();
+  view.start = scene.robot.X_WR_start;
+  view.end = twin.world().X_WR();
+  view.robot_radius_m = scene.robot.base.radius_m;
+  return view;
+}
+
+void draw(const render::PhaseRunView& view, RunFolder& folder) {
+  const auto picture = render::draw_phase_plan(view);
+  if (!picture) {
+    throw OutputError(ExitCode::kUnavailable, "plan.png: " + picture.error().message);
+  }
+  render::PngText text;
+  text.comment = render::provenance(view.scene, view.seed, "cairo");
+  const auto bytes = render::encode_png(picture->image, text);
+  if (!bytes) {
+    throw OutputError(ExitCode::kUnavailable, "plan.png: " + bytes.error().message);
+  }
+  folder.write("plan.png", {reinterpret_cast<const char*>(bytes->data()), bytes->size()});
+}
+
+}  // namespace
+
+Summary run_hallway(const Scene& scene, RunFolder& folder, const SceneRunOptions& options) {
+  const double begun_s = wall_s(options);
+  TwinJournal journal(options.journal, scene);
+  HallwayTwin twin(scene, journal.on_hallway_wires());
+  HallwayRecorder recorder(scene, folder, options.trace_every, options.pictures);
+  JournallingRecorder journalling(recorder, journal);
+  TickLoop loop(options.wall_s);
+  const auto may_go_on = [&] {
+    return !options.keep_going ||
+           options.keep_going({.sim_s = robot::to_s(twin.now()),
+                               .done = twin.program().done() ? progress_total_of(scene) : 0,
+                               .total = progress_total_of(scene)});
+  };
+  Summary summary;
+  const robot::Instant limit{robot::from_s(scene.limits.time_limit_s)};
+  summary.interrupted = !loop.run(twin, journalling, limit, may_go_on);
+  recorder.finish();
+  const double looped_s = wall_s(options);
+
+  summary.scene = options.scene_as_given;
+  summary.variant = scene.variant;
+  summary.seed = scene.seed;
+  summary.sim_s = robot::to_s(twin.now());
+  summary.state_hash = twin.hash().text();
+  summary.hallway = recorder.result(twin);
+  summary.links = links_of(twin.program());
+  summary.expect = judge(limits_of(scene), figures_of(summary));
+  if (scene.mission.hallway->survey) {
+    robot::HallwayFile drawn = scene.hallways;
+    drawn.map = twin.program().map();
+    folder.write("hallways.yaml", robot::hallway_yaml(drawn));
+  }
+  if (options.pictures && !summary.interrupted) {
+    draw(view_of(scene, twin, recorder, *summary.hallway), folder);
+  }
+  folder.write("summary.json", to_json(summary));
+  write_timing(folder, loop.parts(), summary.sim_s, begun_s, looped_s, options);
+  return summary;
+}
+
+}  // namespace sensotwin::twin

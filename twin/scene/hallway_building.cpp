@@ -1,0 +1,95 @@
+// SPDX-License-Identifier: MIT
+#include "twin/scene/hallway_building.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace sensotwin::twin {
+namespace {
+
+using robot::CompassPoint;
+using robot::Vec2;
+
+/// Of a cell. Chosen: map_server's usual resolution; widths and places are rounded to it.
+constexpr double kCell_m = 0.05;
+/// Around the building, so that its border is closed.
+constexpr double kMargin_m = 0.5;
+
+struct Strip {
+  Vec2 low_m;
+  Vec2 high_m;
+};
+
+std::vector<Strip> strips_of(const robot::HallwayFile& hallways) {
+  const Vec2 half_m = 0.5 * hallways.width_m * Vec2{1.0, 1.0};
+  std::vector<Strip> strips;
+  for (const robot::HallwayNode& node : hallways.map.nodes()) {
+    for (const robot::Side& side : node.sides) {
+      if (side.hallway == robot::Hallway::kLeadsTo) {
+        const Vec2 a = *node.at_m;
+        const Vec2 b = *hallways.map.node(side.to).at_m;
+        strips.push_back({a.cwiseMin(b) - half_m, a.cwiseMax(b) + half_m});
+      }
+    }
+  }
+  return strips;
+}
+
+}  // namespace
+
+Vec2 towards(CompassPoint point) {
+  switch (point) {
+    case CompassPoint::kNorth:
+      return {0.0, 1.0};
+    case CompassPoint::kEast:
+      return {1.0, 0.0};
+    case CompassPoint::kSouth:
+      return {0.0, -1.0};
+    case CompassPoint::kWest:
+      break;
+  }
+  return {-1.0, 0.0};
+}
+
+OccupancyMap floor_of(const robot::HallwayFile& hallways) {
+  const std::vector<Strip> strips = strips_of(hallways);
+  Vec2 low_m{std::numeric_limits<double>::max(), std::numeric_limits<double>::max()};
+  Vec2 high_m = -low_m;
+  for (const Strip& strip : strips) {
+    low_m = low_m.cwiseMin(strip.low_m);
+    high_m = high_m.cwiseMax(strip.high_m);
+  }
+  OccupancyMap map;
+  map.resolution_m = kCell_m;
+  map.X_WO = {low_m - Vec2{kMargin_m, kMargin_m}, 0.0};
+  const Vec2 size_m = high_m - low_m + 2.0 * Vec2{kMargin_m, kMargin_m};
+  map.columns = static_cast<int>(std::ceil(size_m.x() / kCell_m));
+  map.rows = static_cast<int>(std::ceil(size_m.y() / kCell_m));
+  map.cells.assign(static_cast<std::size_t>(map.columns) * static_cast<std::size_t>(map.rows),
+                   Cell::kOccupied);
+  for (const Strip& strip : strips) {
+    const Vec2 from = (strip.low_m - map.X_WO.p_m) / kCell_m;
+    const Vec2 to = (strip.high_m - map.X_WO.p_m) / kCell_m;
+    for (int row = static_cast<int>(std::lround(from.y())); row < static_cast<int>(std::lround(to.y()));
+         ++row) {
+      const auto line = map.cells.begin() + static_cast<std::ptrdiff_t>(row) * map.columns;
+      std::fill(line + std::lround(from.x()), line + std::lround(to.x()), Cell::kFree);
+    }
+  }
+  return map;
+}
+
+std::vector<world::HallwayTag> tags_of(const robot::HallwayFile& hallways) {
+  std::vector<world::HallwayTag> tags;
+  for (const robot::HallwayNode& node : hallways.map.nodes()) {
+    for (const CompassPoint point : robot::kCompassPoints) {
+      for (const robot::TagNumber tag : node.side(point).tags) {
+        tags.push_back({tag, *node.at_m + hallways.tag_to_middle_m * towards(point)});
+      }
+    }
+  }
+  return tags;
+}
+
+}  // namespace sensotwin::twin

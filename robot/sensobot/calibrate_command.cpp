@@ -5,8 +5,11 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 #include <ostream>
+#include <string>
 #include <variant>
+#include <vector>
 
+#include "robot/config/problem.hpp"
 #include "robot/drivers/compass.hpp"
 #include "robot/drivers/roomba.hpp"
 #include "robot/drivers/tag_reader.hpp"
@@ -140,10 +143,34 @@ Measured mean_of(const std::array<double, 2>& both) {
   return {0.5 * (both[0] + both[1]), 0.5 * std::abs(both[0] - both[1])};
 }
 
+/// \throws LoadError
+void need_devices(const RobotFile& robot, const CalibrateCommandOptions& options) {
+  std::vector<Problem> problems;
+  const auto need = [&](bool there, const char* key) {
+    if (!there) {
+      problems.push_back(
+          {{robot.file, 0, 0}, "devices", std::string{"'"} + key + "' is missing", "a calibration needs it"});
+    }
+  };
+  need(robot.devices.base.has_value(), "base");
+  need(options.turns == 0 || robot.devices.sensors.has_value(), "sensors");
+  need(options.tags == 0 || !robot.devices.card_readers.empty(), "card_readers");
+  if (robot.settings.base.kind == BaseKind::kRoomba400) {
+    problems.push_back({{robot.file, 0, 0},
+                        "robot.base.kind",
+                        "a Roomba 400 has no encoders to calibrate",
+                        "expected create2"});
+  }
+  if (!problems.empty()) {
+    throw LoadError(problems, kExitInvalid);
+  }
+}
+
 }  // namespace
 
 ExitCode calibrate_command(const CalibrateCommandOptions& options, const SensobotEnvironment& environment) {
-  const RobotFile robot = read_robot_file(options.robot, options.devices);
+  const RobotFile robot = read_robot_file(options.robot, options.devices, RobotFileUse::kCheck);
+  need_devices(robot, options);
   Guardian guardian = begin_base_guardian();
   CalibrationRun run(robot, options, environment, guardian);
   if (const ExitCode code = run.go(); code != ExitCode::kDone) {

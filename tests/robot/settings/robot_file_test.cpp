@@ -28,6 +28,7 @@ robot:
       - { at_m: [0, -0.1, 0.1] }
     path: monostatic
     phase_sign: -1
+    pi_ambiguous: true
   start: { at_m: [1, 1] }
 place:
   ceiling_tags:

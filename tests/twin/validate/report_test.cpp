@@ -48,7 +48,7 @@ TEST(Table, SaysTheBoundBesideAFigureThatHasOne) {
   for (RunOutcome& run : runs) {
     run.figures = {{"rmse_m", 0.009}, {"bound_m", 0.0075}};
   }
-  const Expectation expectation{.name = "rmse_m", .max = 0.01};
+  const Expectation expectation{.name = "rmse_m", .min = std::nullopt, .max = 0.01};
   EXPECT_THAT(to_table(validated(expecting(expectation), runs)),
               HasSubstr("bound   rmse_m: posterior Cramer-Rao, 0.0075\n"));
   EXPECT_THAT(to_table(validated(expecting(kAtMostEight), runs_with({1.0}))), Not(HasSubstr("Cramer-Rao")));

@@ -260,13 +260,16 @@ void CeilingMission::watch_order() {
   const double next_m = (*next - *here).norm();
   const double after_m = (*after - *here).norm();
   const double factor = config_.faults.order_factor;
-  // As far on its way as this it does with the best guess.
-  const bool late = (estimator_.pose().p_m - origin_M_m_).norm() > kOrderWay_m;
-  const double doubt_m =
-      late ? 0.0 : kOrderSigmas * (spread_m(route_[leg_]) + factor * spread_m(route_[leg_ + 1]));
+  const double doubt_m = kOrderSigmas * (spread_m(route_[leg_]) + factor * spread_m(route_[leg_ + 1]));
   if (next_m < factor * after_m + doubt_m) {
     order_doubted_s_ = 0.0;
-    order_judged_ = late || next_m < factor * after_m - doubt_m;  // else not known well enough yet
+    // Far on its way the best guess decides; but to exchange the two it is not good enough.
+    const bool late = (estimator_.pose().p_m - origin_M_m_).norm() > kOrderWay_m;
+    order_judged_ = next_m < factor * after_m - (late ? 0.0 : doubt_m);
+    if (late && !order_judged_) {
+      note(CeilingEventKind::kOrderDoubtful, route_[leg_]);
+      finish(false);
+    }
     return;
   }
   order_doubted_s_ += to_s(now_ - before_);

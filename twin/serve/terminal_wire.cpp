@@ -30,6 +30,8 @@ void TerminalWire::do_watch(std::vector<pollfd>& handles) const {
 void TerminalWire::do_pump(double /*wall_s*/) {
   see_who_is_there();
   take_from_client();
+  // Whoever came while we listened gets an answer to the first words too.
+  see_who_is_there();
   give_to_client();
 }
 

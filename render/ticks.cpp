@@ -45,7 +45,9 @@ std::vector<Tick> linear_ticks(double low, double high, int wanted) {
     const double value = k == 0.0 ? 0.0 : k * step;
     ticks.push_back({value, fmt::format("{:.{}f}", value, digits)});
   }
-  return ticks;
+  // A coarse step may fall inside a range once only, and one label tells no scale.
+  constexpr int kFinest = 64;
+  return ticks.size() < 2 && wanted < kFinest ? linear_ticks(low, high, 2 * wanted) : ticks;
 }
 
 std::vector<Tick> log_ticks(double low, double high) {

@@ -79,6 +79,11 @@ TEST(Ticks, AreRoundNumbersInsideTheRange) {
   EXPECT_EQ(ticks.back().label, "70");
   EXPECT_EQ(linear_ticks(-0.3, 0.31, 7)[3].label, "0.0");
   EXPECT_EQ(linear_ticks(0.0, 1.0, 4)[1].label, "0.25");
+  // A step of 2 falls into this range once.
+  EXPECT_GE(linear_ticks(-1.45, 1.9, 2).size(), 2u);
+  for (int wanted = 1; wanted < 9; ++wanted) {
+    EXPECT_GE(linear_ticks(0.9, 1.7, wanted).size(), 2u) << wanted;
+  }
 }
 
 TEST(Ticks, OnALogarithmicAxisArePowersOfTen) {

@@ -17,19 +17,7 @@ HallwayMission::HallwayMission(HallwayMissionConfig config)
     : config_(std::move(config)), walk_(config_.robot), script_(run()) {}
 
 HallwayCommand HallwayMission::step(const HallwaySensed& sensed) {
-  const bool oriented = walk_.take(sensed);
-  if (!done() && oriented) {
-    if (started_) {
-      walk_.step().next.resume();
-    } else {
-      started_ = true;
-      script_.start();
-    }
-  }
-  if (done()) {
-    walk_.step().command = {};
-  }
-  return walk_.step().command;
+  return walk_.step(sensed, script_, [this] { return done(); });
 }
 
 Task<> HallwayMission::run() {

@@ -73,7 +73,6 @@ class HallwayMission final : private PlaceWatcher {
   HallwayWalk walk_;
   HallwayStatus status_;
   BlockedHallways blocked_;
-  bool started_{false};
   Task<> script_;
 };
 

@@ -30,19 +30,7 @@ HallwaySurvey::HallwaySurvey(const HallwaySurveyConfig& config)
     : config_(config), walk_(config.robot), script_(run()) {}
 
 HallwayCommand HallwaySurvey::step(const HallwaySensed& sensed) {
-  const bool oriented = walk_.take(sensed);
-  if (!done() && oriented) {
-    if (started_) {
-      walk_.step().next.resume();
-    } else {
-      started_ = true;
-      script_.start();
-    }
-  }
-  if (done()) {
-    walk_.step().command = {};
-  }
-  return walk_.step().command;
+  return walk_.step(sensed, script_, [this] { return done(); });
 }
 
 Task<> HallwaySurvey::run() {

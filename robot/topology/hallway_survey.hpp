@@ -76,7 +76,6 @@ class HallwaySurvey final : private PlaceWatcher {
   std::optional<TagNumber> new_tag_;  ///< of the place ahead, not in the map yet
   bool whole_{false};
   bool lost_{false};
-  bool started_{false};
   Task<> script_;
 };
 

@@ -14,13 +14,12 @@ constexpr double kBackOff_m = 0.10;
 
 }  // namespace
 
-bool HallwayWalk::take(const HallwaySensed& sensed) {
+void HallwayWalk::take(const HallwaySensed& sensed) {
   step_.sensed = sensed;
   tracker_.step(sensed);
   if (sensed.tag) {
     tag_ = sensed.tag;
   }
-  return tracker_.heading_rad().has_value();
 }
 
 Task<HallwayPassage> HallwayWalk::along(HallwayLeg leg, PlaceWatcher& watcher) {

@@ -53,9 +53,25 @@ class HallwayWalk {
   HallwayWalk(const HallwayWalk&) = delete;
   HallwayWalk& operator=(const HallwayWalk&) = delete;
 
-  /// Takes what the devices said; to be called before anything else in a step. \returns whether it knows
-  /// which way it faces: without a compass it does not
-  bool take(const HallwaySensed& sensed);
+  /// One control step of a behaviour that walks here: takes what the devices said, lets the behaviour go on,
+  /// and gives its command; standing still once it is done. It begins when the compass has said which way the
+  /// robot faces.
+  template <class Done>
+  HallwayCommand step(const HallwaySensed& sensed, Task<>& script, const Done& done) {
+    take(sensed);
+    if (!done() && tracker_.heading_rad()) {
+      if (started_) {
+        step_.next.resume();
+      } else {
+        started_ = true;
+        script.start();
+      }
+    }
+    if (done()) {
+      step_.command = {};
+    }
+    return step_.command;
+  }
   /// To the end of the leg, watching for places. Each obstacle is waited for, then passed where there is
   /// room.
   Task<HallwayPassage> along(HallwayLeg leg, PlaceWatcher& watcher);
@@ -79,6 +95,7 @@ class HallwayWalk {
            double value = 0.0);
 
  private:
+  void take(const HallwaySensed& sensed);
   Task<bool> past_obstacle();
 
   HallwayConfig config_;
@@ -86,6 +103,7 @@ class HallwayWalk {
   HallwayStep step_;
   HallwayPilot pilot_;
   HallwayLog log_;
+  bool started_{false};
   std::optional<TagNumber> tag_;  ///< read, and not yet thought about
 };
 

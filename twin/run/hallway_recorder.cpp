@@ -6,6 +6,7 @@
 
 #include "robot/record/program_events.hpp"
 #include "robot/topology/hallway_route.hpp"
+#include "twin/run/run_parts.hpp"
 
 namespace sensotwin::twin {
 namespace {
@@ -105,18 +106,7 @@ void HallwayRecorder::count(const robot::HallwayEvent& event) {
 }
 
 void HallwayRecorder::record_row(const HallwayTwin& twin) {
-  const robot::HallwayProgram& program = twin.program();
-  TraceRow row;
-  row.now = twin.now();
-  row.X_WR = twin.world().X_WR();
-  row.command_left_mps = program.wheels().left_mps;
-  row.command_right_mps = program.wheels().right_mps;
-  row.bump_left = twin.inputs().bump_left;
-  row.bump_right = twin.inputs().bump_right;
-  if (program.floor_reader().tag()) {
-    row.tag = program.floor_reader().tag()->uid;
-  }
-  trace_.add(row);
+  trace_.add(row_of(twin));
 }
 
 void HallwayRecorder::finish() {

@@ -8,26 +8,13 @@
 #include "twin/output/output_error.hpp"
 #include "twin/run/hallway_recorder.hpp"
 #include "twin/run/hallway_twin.hpp"
+#include "twin/run/run_parts.hpp"
 #include "twin/run/tick_loop.hpp"
 #include "twin/run/twin_journal.hpp"
 #include "twin/scene/floor_plan.hpp"
 
 namespace sensotwin::twin {
 namespace {
-
-LinkHealth links_of(const robot::HallwayProgram& program) {
-  LinkHealth links;
-  const robot::LinkHealth& base = program.base().health();
-  links.roomba_frames = static_cast<std::int64_t>(base.frames_good);
-  links.roomba_frames_corrupt = static_cast<std::int64_t>(base.frames_corrupt);
-  links.roomba_frames_missed = static_cast<std::int64_t>(base.frames_missed);
-  const robot::ReaderHealth& floor = program.floor_reader().health();
-  links.card_exchanges = floor.exchanges;
-  links.card_exchanges_failed = floor.removed + floor.timeouts;
-  links.compass_sentences = program.compass().health().headings;
-  links.compass_sentences_corrupt = program.compass().health().bad_checksum;
-  return links;
-}
 
 std::string figures_in_words(const HallwayResult& result) {
   if (result.mission == "survey") {
@@ -106,7 +93,7 @@ Summary run_hallway(const Scene& scene, RunFolder& folder, const SceneRunOptions
   summary.sim_s = robot::to_s(twin.now());
   summary.state_hash = twin.hash().text();
   summary.hallway = recorder.result(twin);
-  summary.links = links_of(twin.program());
+  summary.links = links_of(twin.program(), {&twin.program().floor_reader()});
   summary.expect = judge(limits_of(scene), figures_of(summary));
   if (scene.mission.hallway->survey) {
     robot::HallwayFile drawn = scene.hallways;

@@ -7,6 +7,7 @@
 #include "twin/run/map_verdict.hpp"
 #include "twin/run/mapping_twin.hpp"
 #include "twin/run/recovered_map.hpp"
+#include "twin/run/run_parts.hpp"
 #include "twin/run/run_pictures.hpp"
 #include "twin/run/run_recorder.hpp"
 #include "twin/run/tick_loop.hpp"
@@ -47,21 +48,6 @@ MapResult map_result(const Scene& scene, const MappingTwin& twin, const MapVerdi
   return result;
 }
 
-LinkHealth links_of(const robot::MappingProgram& program) {
-  LinkHealth links;
-  const robot::LinkHealth& base = program.base().health();
-  links.roomba_frames = static_cast<std::int64_t>(base.frames_good);
-  links.roomba_frames_corrupt = static_cast<std::int64_t>(base.frames_corrupt);
-  links.roomba_frames_missed = static_cast<std::int64_t>(base.frames_missed);
-  for (const robot::TagReader* reader : {&program.floor_reader(), &program.forward_reader()}) {
-    links.card_exchanges += reader->health().exchanges;
-    links.card_exchanges_failed += reader->health().removed + reader->health().timeouts;
-  }
-  links.compass_sentences = program.compass().health().headings;
-  links.compass_sentences_corrupt = program.compass().health().bad_checksum;
-  return links;
-}
-
 }  // namespace
 
 Summary run_mapping(const Scene& scene, RunFolder& folder, const SceneRunOptions& options) {
@@ -98,7 +84,8 @@ Summary run_mapping(const Scene& scene, RunFolder& folder, const SceneRunOptions
   summary.sim_s = robot::to_s(twin.now());
   summary.state_hash = twin.hash().text();
   summary.map = map_result(scene, twin, verdict, truth, recorder.energy_wh());
-  summary.links = links_of(twin.program());
+  summary.links =
+      links_of(twin.program(), {&twin.program().floor_reader(), &twin.program().forward_reader()});
   summary.expect = judge(limits_of(scene), figures_of(summary));
 
   write_map(folder, recovered_grid(twin.program().mission(), scene.world.carpet.tile_m));

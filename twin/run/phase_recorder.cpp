@@ -7,6 +7,7 @@
 
 #include "robot/record/program_events.hpp"
 #include "twin/run/phase_config.hpp"
+#include "twin/run/run_parts.hpp"
 
 namespace sensotwin::twin {
 namespace {
@@ -97,18 +98,9 @@ void PhaseRecorder::record_events(PhaseTwin& twin) {
 
 void PhaseRecorder::record_row(const PhaseTwin& twin) {
   const robot::PhaseProgram& program = twin.program();
-  TraceRow row;
-  row.now = twin.now();
-  row.X_WR = twin.world().X_WR();
+  TraceRow row = row_of(twin);
   row.X_OR_odometry = program.odometry();
   row.X_MR_estimate = program.estimate();
-  row.command_left_mps = program.wheels().left_mps;
-  row.command_right_mps = program.wheels().right_mps;
-  row.bump_left = twin.inputs().bump_left;
-  row.bump_right = twin.inputs().bump_right;
-  if (program.floor_reader().tag()) {
-    row.tag = program.floor_reader().tag()->uid;
-  }
   trace_.add(row);
 }
 

@@ -4,29 +4,12 @@
 #include "twin/run/phase_pictures.hpp"
 #include "twin/run/phase_recorder.hpp"
 #include "twin/run/phase_twin.hpp"
+#include "twin/run/run_parts.hpp"
 #include "twin/run/scene_bound.hpp"
 #include "twin/run/tick_loop.hpp"
 #include "twin/run/twin_journal.hpp"
 
 namespace sensotwin::twin {
-namespace {
-
-LinkHealth links_of(const robot::PhaseProgram& program) {
-  LinkHealth links;
-  const robot::LinkHealth& base = program.base().health();
-  links.roomba_frames = static_cast<std::int64_t>(base.frames_good);
-  links.roomba_frames_corrupt = static_cast<std::int64_t>(base.frames_corrupt);
-  links.roomba_frames_missed = static_cast<std::int64_t>(base.frames_missed);
-  const robot::ReaderHealth& floor = program.floor_reader().health();
-  links.card_exchanges = floor.exchanges;
-  links.card_exchanges_failed = floor.removed + floor.timeouts;
-  links.compass_sentences = program.compass().health().headings;
-  links.compass_sentences_corrupt = program.compass().health().bad_checksum;
-  return links;
-}
-
-}  // namespace
-
 Summary run_phase(const Scene& scene, RunFolder& folder, const SceneRunOptions& options) {
   const double begun_s = wall_s(options);
   TwinJournal journal(options.journal, scene);
@@ -57,7 +40,7 @@ Summary run_phase(const Scene& scene, RunFolder& folder, const SceneRunOptions& 
       summary.path->bound = figures_of(*bound);
     }
   }
-  summary.links = links_of(twin.program());
+  summary.links = links_of(twin.program(), {&twin.program().floor_reader()});
   summary.expect = judge(limits_of(scene), figures_of(summary));
   if (options.pictures && !summary.interrupted) {
     summary.interrupted = !draw_phase_run(scene, twin, recorder, *summary.path, folder, may_go_on);

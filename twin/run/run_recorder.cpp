@@ -2,6 +2,7 @@
 #include "twin/run/run_recorder.hpp"
 
 #include "robot/record/program_events.hpp"
+#include "twin/run/run_parts.hpp"
 
 namespace sensotwin::twin {
 namespace {
@@ -46,19 +47,10 @@ void RunRecorder::record_row(MappingTwin& twin) {
     until_point_ = point_every_ - 1;
     trajectory_.push_back({twin.world().X_WR().p_m, robot::to_s(twin.now())});
   }
-  TraceRow row;
-  row.now = twin.now();
-  row.X_WR = twin.world().X_WR();
+  TraceRow row = row_of(twin);
   row.X_OR_odometry = program.mission().navigator().filter().odometry();
   if (program.mission().map().visited_count() > 0) {
     row.X_MR_estimate = program.mission().navigator().pose();
-  }
-  row.command_left_mps = program.wheels().left_mps;
-  row.command_right_mps = program.wheels().right_mps;
-  row.bump_left = twin.inputs().bump_left;
-  row.bump_right = twin.inputs().bump_right;
-  if (program.floor_reader().tag()) {
-    row.tag = program.floor_reader().tag()->uid;
   }
   trace_.add(row);
 }

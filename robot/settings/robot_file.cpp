@@ -74,7 +74,8 @@ void uhf_reader_fields(FieldVisitor& v, UhfReaderSettings& reader) {
   v.number({"phase_sign", "+1: phase grows with distance; -1: falls"}, reader.phase_sign, {-1.0, 1.0});
   v.flag({"pi_ambiguous", "each read's phase is known up to pi only"}, reader.pi_ambiguous);
   v.number({"centre_hz", "middle of the band, Hz"}, reader.centre_hz, {1e8, 1e10});
-  v.number({"echo_caution", "how many times as large as noise.echo_rad says echoes are taken to be"}, reader.echo_caution, {1.0, 10.0});
+  v.number({"echo_caution", "how many times as large as noise.echo_rad says echoes are taken to be"},
+           reader.echo_caution, {1.0, 10.0});
   v.whole({"report_every", "reads in one report"}, reader.report_every, 1, 1000);
   v.section({"noise", "of a read's phase, 1 sigma"}, [&] {
     v.number({"floor_rad", "rad"}, reader.noise.floor_rad, {0.0, 10.0});

@@ -24,7 +24,6 @@ namespace sensotwin::twin {
 /// \param radio  from radio_of()
 [[nodiscard]] robot::RobotSettings robot_settings_of(const Scene& scene, const world::RadioWorld& radio);
 
-
 /// What our own controller is told, whichever controller the mission has. \param radio  from radio_of()
 [[nodiscard]] robot::CeilingMissionConfig ceiling_config_of(const Scene& scene,
                                                             const world::RadioWorld& radio);

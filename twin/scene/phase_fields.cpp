@@ -166,17 +166,18 @@ void uhf_reader_fields(FieldVisitor& v, world::WorldDescription& world) {
     v.section(reader, [&] {
       v.choice({"mount", "of antennas that are not listed: two look up, or two ahead and two behind"},
                world.radio->mounting, kMountWords);
-      v.list({"antennas", "port 1 first; else as mounted"},
-             world.radio->antennas, [&](world::AntennaDescription& antenna) {
-               robot::xyz(v, {"at_m", "forward, left, up from the floor below the middle, m"}, antenna.at_m,
-                   {-1.0, 1.0});
-               robot::xyz(v, {"boresight", "direction in which it hears best"}, antenna.boresight, {-1.0, 1.0});
-               v.number({"gain_dbi", "dBi"}, antenna.gain_dbi, {-20.0, 30.0});
-               v.angle({"beam_width_deg", "between the directions of half power, degrees"},
-                       antenna.beam_width_rad, {1.0, 179.0});
-               v.number({"cable_delay_s", "reader and cable, counted once, s"}, antenna.cable_delay_s,
-                        {0.0, 1e-6});
-             });
+      v.list(
+          {"antennas", "port 1 first; else as mounted"}, world.radio->antennas,
+          [&](world::AntennaDescription& antenna) {
+            robot::xyz(v, {"at_m", "forward, left, up from the floor below the middle, m"}, antenna.at_m,
+                       {-1.0, 1.0});
+            robot::xyz(v, {"boresight", "direction in which it hears best"}, antenna.boresight, {-1.0, 1.0});
+            v.number({"gain_dbi", "dBi"}, antenna.gain_dbi, {-20.0, 30.0});
+            v.angle({"beam_width_deg", "between the directions of half power, degrees"},
+                    antenna.beam_width_rad, {1.0, 179.0});
+            v.number({"cable_delay_s", "reader and cable, counted once, s"}, antenna.cable_delay_s,
+                     {0.0, 1e-6});
+          });
       v.section({"faults", "of reader and cables; the robot is not told"},
                 [&] { reader_fault_fields(v, world.radio->faults); });
     });
@@ -198,7 +199,7 @@ void complete_radio(Scene& scene) {
   }
   if (radio.antennas.empty()) {
     radio.antennas = radio.mounting == world::AntennaMounting::kRoof ? world::roof_of_antennas()
-                                                                      : world::pair_of_antennas();
+                                                                     : world::pair_of_antennas();
   }
 }
 

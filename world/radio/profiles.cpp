@@ -39,9 +39,8 @@ std::vector<AntennaDescription> roof_of_antennas() {
   std::vector<AntennaDescription> antennas;
   for (const double ahead : {1.0, -1.0}) {
     for (const double left : {1.0, -1.0}) {
-      antennas.push_back(
-          {.at_m = {ahead * kAhead_m, left * kBeside_m, kHigh_m},
-           .boresight = {ahead * std::cos(kElevation_rad), 0.0, std::sin(kElevation_rad)}});
+      antennas.push_back({.at_m = {ahead * kAhead_m, left * kBeside_m, kHigh_m},
+                          .boresight = {ahead * std::cos(kElevation_rad), 0.0, std::sin(kElevation_rad)}});
     }
   }
   return antennas;

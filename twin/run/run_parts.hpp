@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <initializer_list>
 
+#include "robot/drivers/roomba.hpp"
 #include "robot/drivers/tag_reader.hpp"
 #include "twin/output/summary.hpp"
 #include "twin/output/trace_writer.hpp"

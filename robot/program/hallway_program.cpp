@@ -46,20 +46,7 @@ void HallwayProgram::gather_tags() {
 }
 
 void HallwayProgram::sense(const RoombaState& state) {
-  sensed_.stamp = state.stamp;
-  if (state.encoders) {
-    if (last_counts_) {
-      sensed_.counts_left = state.encoders->left - last_counts_->left;
-      sensed_.counts_right = state.encoders->right - last_counts_->right;
-    }
-    last_counts_ = state.encoders;
-  }
-  sensed_.bump_left = state.bump_left;
-  sensed_.bump_right = state.bump_right;
-  if (const auto& reading = compass_.reading(); reading && reading->stamp > compass_stamp_) {
-    compass_stamp_ = reading->stamp;
-    sensed_.compass_rad = reading->yaw_from_north_rad;
-  }
+  base_sensing_.take(state, compass_, sensed_);
   if (const auto& round = compass_.sonars(); round && round->stamp > sonar_stamp_) {
     sonar_stamp_ = round->stamp;
     SonarRanges ranges;

@@ -11,6 +11,7 @@
 #include "robot/drivers/tag_reader.hpp"
 #include "robot/hal/byte_link.hpp"
 #include "robot/hal/card_link.hpp"
+#include "robot/program/base_sensing.hpp"
 #include "robot/program/mode_keeper.hpp"
 #include "robot/topology/hallway_mission.hpp"
 #include "robot/topology/hallway_survey.hpp"
@@ -81,9 +82,8 @@ class HallwayProgram {
   std::optional<HallwayMission> mission_;
   std::optional<HallwaySurvey> survey_;
   HallwaySensed sensed_;
-  std::optional<EncoderCounts> last_counts_;
+  BaseSensing base_sensing_;
   std::optional<RoombaState> state_;
-  Instant compass_stamp_;
   Instant sonar_stamp_;
   WheelSpeeds wheels_;
 };

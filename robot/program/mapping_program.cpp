@@ -71,25 +71,12 @@ void MappingProgram::gather_objects() {
 }
 
 void MappingProgram::sense(const RoombaState& state) {
-  sensed_.stamp = state.stamp;
-  if (state.encoders) {
-    if (last_counts_) {
-      sensed_.counts_left = state.encoders->left - last_counts_->left;
-      sensed_.counts_right = state.encoders->right - last_counts_->right;
-    }
-    last_counts_ = state.encoders;
-  }
-  sensed_.bump_left = state.bump_left;
-  sensed_.bump_right = state.bump_right;
+  base_sensing_.take(state, compass_, sensed_);
   sensed_.cliff = std::any_of(state.cliff.begin(), state.cliff.end(), [](bool hole) { return hole; });
   sensed_.wheel_drop = state.wheel_drop_left || state.wheel_drop_right;
   sensed_.virtual_wall = state.virtual_wall;
   if (state.light_bumper) {
     sensed_.light_bump = state.light_bumper->signal;
-  }
-  if (const auto& reading = compass_.reading(); reading && reading->stamp > compass_stamp_) {
-    compass_stamp_ = reading->stamp;
-    sensed_.compass_rad = reading->yaw_from_north_rad;
   }
 }
 

@@ -13,6 +13,7 @@
 #include "robot/hal/byte_link.hpp"
 #include "robot/hal/card_link.hpp"
 #include "robot/mapping/mapping_mission.hpp"
+#include "robot/program/base_sensing.hpp"
 #include "robot/program/mode_keeper.hpp"
 #include "robot/wire/tag_record.hpp"
 
@@ -82,9 +83,8 @@ class MappingProgram {
   ModeKeeper mode_keeper_;
   MappingMission mission_;
   Sensed sensed_;
-  std::optional<EncoderCounts> last_counts_;
+  BaseSensing base_sensing_;
   std::optional<RoombaState> state_;
-  Instant compass_stamp_;
   WheelSpeeds wheels_;
   std::vector<ObjectSeen> objects_;
   std::vector<TagUid> known_objects_;

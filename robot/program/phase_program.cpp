@@ -93,21 +93,8 @@ void PhaseProgram::gather_floor_tags() {
 }
 
 void PhaseProgram::sense(const RoombaState& state) {
-  sensed_.stamp = state.stamp;
-  if (state.encoders) {
-    if (last_counts_) {
-      sensed_.counts_left = state.encoders->left - last_counts_->left;
-      sensed_.counts_right = state.encoders->right - last_counts_->right;
-      X_OR_ = advanced(X_OR_, wheel_step(wheel_model_, sensed_.counts_left, sensed_.counts_right));
-    }
-    last_counts_ = state.encoders;
-  }
-  sensed_.bump_left = state.bump_left;
-  sensed_.bump_right = state.bump_right;
-  if (const auto& reading = compass_.reading(); reading && reading->stamp > compass_stamp_) {
-    compass_stamp_ = reading->stamp;
-    sensed_.compass_rad = reading->yaw_from_north_rad;
-  }
+  base_sensing_.take(state, compass_, sensed_);
+  X_OR_ = advanced(X_OR_, wheel_step(wheel_model_, sensed_.counts_left, sensed_.counts_right));
   sensed_.reader_up = uhf_reader_.status() == UhfReaderStatus::kReading;
   // A reader may report a read after a later one (uhf_reader.hpp).
   std::stable_sort(reads_.begin(), reads_.end(),

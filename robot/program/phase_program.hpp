@@ -16,6 +16,7 @@
 #include "robot/phase/estimation/ceiling_mission.hpp"
 #include "robot/phase/estimation/dead_reckoning.hpp"
 #include "robot/phase/fuzzy_mission.hpp"
+#include "robot/program/base_sensing.hpp"
 #include "robot/program/mode_keeper.hpp"
 #include "robot/program/phase_events.hpp"
 
@@ -92,9 +93,8 @@ class PhaseProgram {
   std::optional<CeilingMission> ceiling_;
   PhaseSensed sensed_;
   std::vector<UhfRead> reads_;  ///< since the mission's last step
-  std::optional<EncoderCounts> last_counts_;
+  BaseSensing base_sensing_;
   std::optional<RoombaState> state_;
-  Instant compass_stamp_;
   Pose2 X_OR_;
   WheelSpeeds wheels_;
 };

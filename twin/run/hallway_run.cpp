@@ -87,11 +87,7 @@ Summary run_hallway(const Scene& scene, RunFolder& folder, const SceneRunOptions
   recorder.finish();
   const double looped_s = wall_s(options);
 
-  summary.scene = options.scene_as_given;
-  summary.variant = scene.variant;
-  summary.seed = scene.seed;
-  summary.sim_s = robot::to_s(twin.now());
-  summary.state_hash = twin.hash().text();
+  open_summary(summary, scene, twin, options);
   summary.hallway = recorder.result(twin);
   summary.links = links_of(twin.program(), {&twin.program().floor_reader()});
   summary.expect = judge(limits_of(scene), figures_of(summary));

@@ -78,11 +78,7 @@ Summary run_mapping(const Scene& scene, RunFolder& folder, const SceneRunOptions
   const auto placement = placement_of(scene, twin);
   const MapVerdict verdict =
       judge_map(twin.world().tags(), twin.map_id(), placement, promised_by(scene, truth));
-  summary.scene = options.scene_as_given;
-  summary.variant = scene.variant;
-  summary.seed = scene.seed;
-  summary.sim_s = robot::to_s(twin.now());
-  summary.state_hash = twin.hash().text();
+  open_summary(summary, scene, twin, options);
   summary.map = map_result(scene, twin, verdict, truth, recorder.energy_wh());
   summary.links =
       links_of(twin.program(), {&twin.program().floor_reader(), &twin.program().forward_reader()});

@@ -28,11 +28,7 @@ Summary run_phase(const Scene& scene, RunFolder& folder, const SceneRunOptions& 
   recorder.finish();
   const double looped_s = wall_s(options);
 
-  summary.scene = options.scene_as_given;
-  summary.variant = scene.variant;
-  summary.seed = scene.seed;
-  summary.sim_s = robot::to_s(twin.now());
-  summary.state_hash = twin.hash().text();
+  open_summary(summary, scene, twin, options);
   summary.path = recorder.result(twin);
   if (scene.mission.phase->controller == PhaseController::kOwn) {
     summary.path->bound = options.bound;

@@ -8,6 +8,8 @@
 #include "robot/drivers/tag_reader.hpp"
 #include "twin/output/summary.hpp"
 #include "twin/output/trace_writer.hpp"
+#include "twin/run/run_options.hpp"
+#include "twin/scene/scene.hpp"
 
 /// What the records of all missions have in common.
 namespace sensotwin::twin {
@@ -28,6 +30,16 @@ template <class Program>
   links.compass_sentences = program.compass().health().headings;
   links.compass_sentences_corrupt = program.compass().health().bad_checksum;
   return links;
+}
+
+/// What every summary opens with; its mission's section is left to the run.
+template <class Twin>
+void open_summary(Summary& summary, const Scene& scene, const Twin& twin, const SceneRunOptions& options) {
+  summary.scene = options.scene_as_given;
+  summary.variant = scene.variant;
+  summary.seed = scene.seed;
+  summary.sim_s = robot::to_s(twin.now());
+  summary.state_hash = twin.hash().text();
 }
 
 /// Truth, command, bumper and floor tag of this tick; what a mission believes is left to its recorder.

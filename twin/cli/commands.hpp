@@ -78,6 +78,7 @@ struct ShowOptions {
 
 struct BoundOptions {
   SceneChoice choice{};
+  bool images{false};  ///< also what image sources leave to the best linear estimator
 };
 [[nodiscard]] Command make_bound_command(Deed<BoundOptions> deed);
 

@@ -22,9 +22,11 @@ constexpr double kSpacing_m = 0.04;
 /// Places that share one step of the wheels' noise. Chosen: 12 cm, over which it drifts by a millimetre.
 constexpr int kPlacesPerStep = 3;
 constexpr int kLooksPerLeg = 20;  ///< at the error, evenly over the way
-/// Quadrature over the images' place. Chosen: fringes pass every 33 cm of 6 m, and along a circle of 10 m.
-constexpr int kRanges = 48;
+/// Quadrature over the images' place: so many distances at each bearing, staggered from one to the next by
+/// the golden ratio. Chosen: 48 distances gave the same to 1 %.
+constexpr int kRanges = 12;
 constexpr int kBearings = 360;
+constexpr double kGolden = 0.6180339887498949;
 constexpr double kNothingKnown_m = 30.0;
 constexpr double kNothingKnown_rad = 100.0;
 /// States before the tags': scale, turn scale and curvature of the wheels. Each tag: x, y, z, phase.
@@ -36,22 +38,33 @@ struct Place {
   robot::Pose2 X_WR;
   double way_m{0.0};  ///< driven since the place before
   double turned_rad{0.0};
+  double since_s{0.0};
   std::size_t leg{0};
 };
 
+/// Turns on the spot, then drives, leg by leg.
 std::vector<Place> places_of(const robot::PathBoundTask& path, const robot::PathShape& shape) {
-  std::vector<Place> places{{path.X_WR_start, 0.0, 0.0, 0}};
+  const double arm_m = path.reader.antennas.front().at_R_m.head<2>().norm();
+  std::vector<Place> places{{path.X_WR_start, 0.0, 0.0, 0.0, 0}};
   for (std::size_t leg = 0; leg < shape.legs(); ++leg) {
     for (const robot::Vec2& end : shape.points_m(leg)) {
       const robot::Pose2 from = places.back().X_WR;
       const robot::Vec2 to = end - from.p_m;
+      if (to.norm() == 0.0) {
+        continue;
+      }
       const double yaw_rad = std::atan2(to.y(), to.x());
       const double turn_rad = robot::wrap_angle(yaw_rad - from.yaw_rad);
-      places.push_back({{from.p_m, yaw_rad}, 0.0, turn_rad, leg});
+      const int turns = std::max(1, static_cast<int>(std::lround(std::abs(turn_rad) * arm_m / kSpacing_m)));
+      for (int i = 1; i <= turns; ++i) {
+        const robot::Pose2 X_WR{from.p_m, robot::wrap_angle(from.yaw_rad + turn_rad * i / turns)};
+        places.push_back({X_WR, 0.0, turn_rad / turns, std::abs(turn_rad) / turns / path.turn_radps, leg});
+      }
       const int steps = std::max(1, static_cast<int>(std::lround(to.norm() / kSpacing_m)));
+      const double step_m = to.norm() / steps;
       for (int i = 1; i <= steps; ++i) {
-        const double part = static_cast<double>(i) / steps;
-        places.push_back({{from.p_m + part * to, yaw_rad}, to.norm() / steps, 0.0, leg});
+        const robot::Pose2 X_WR{from.p_m + i * step_m * to.normalized(), yaw_rad};
+        places.push_back({X_WR, step_m, 0.0, step_m / path.speed_mps, leg});
       }
     }
   }
@@ -167,7 +180,7 @@ class ImageStudy {
     reads.H(row, j + 1) += k_radpm_ * way.by_tag.y() * kNothingKnown_m;
     reads.H(row, j + 2) += k_radpm_ * way.by_tag.z() * path.height_sigma_m;
     reads.H(row, j + 3) += kNothingKnown_rad;
-    const double rounds = kSpacing_m / path.speed_mps * path.rate_hz;
+    const double rounds = std::max(places_[i].since_s, robot::to_s(robot::kTick)) * path.rate_hz;
     reads.noise_rad2(row) = path.reader.noise.variance(way.slant_m, 0.0) / rounds;
     reads.transmitters_W_m.push_back(in_world(X_WR, ends.transmitter_R_m));
     reads.receivers_W_m.push_back(in_world(X_WR, ends.receiver_R_m));
@@ -194,9 +207,9 @@ class ImageStudy {
     const double weight = images.count * images.amplitude * images.amplitude / (kRanges * kBearings);
     MatrixXd bends(n, kBearings);
     for (int range = 0; range < kRanges; ++range) {
-      const double away_m =
-          images.nearest_m + (range + 0.5) / kRanges * (images.farthest_m - images.nearest_m);
       for (int bearing = 0; bearing < kBearings; ++bearing) {
+        const double part = (range + std::fmod(kGolden * bearing, 1.0)) / kRanges;
+        const double away_m = images.nearest_m + part * (images.farthest_m - images.nearest_m);
         const double yaw_rad = 2.0 * robot::kPi * (bearing + 0.5) / kBearings;
         const Eigen::Vector3d image =
             at + away_m * Eigen::Vector3d{std::cos(yaw_rad), std::sin(yaw_rad), 0.0};

@@ -43,8 +43,9 @@ struct ImageBound {
 /// Beside it: read noise, the wheels' drift, scale and curvature, places and phases of the tags of which
 /// nothing is known before. Robot and tags are linearised about the ideal way; reads up to now are used, not
 /// later ones. Where posterior_bound (path_bound.hpp) takes echoes for a Gauss-Markov process, this takes
-/// them for what they are to second order: an echo from the tag's own direction stays the same for metres. No
-/// linear estimator, Kalman filters among them, has less; one that solved for each image's place could.
+/// them for what they are to second order: an echo from the tag's own direction stays the same for metres. On
+/// this way and told these wheels no linear estimator, Kalman filters among them, has less; one that solved
+/// for each image's place could, and so may a robot that looks round before its first leg.
 ///
 /// The draws are not linearised in the echoes: each has images of its own.
 ///

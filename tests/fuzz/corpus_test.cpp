@@ -6,6 +6,7 @@
 #include <filesystem>
 #include <fstream>
 #include <iterator>
+#include <ostream>
 #include <string>
 #include <vector>
 
@@ -13,6 +14,14 @@
 #include "tests/fuzz/fuzzers.hpp"
 
 namespace sensotwin::fuzz {
+
+/// By its name in the talk of a test.
+void PrintTo(const Fuzzer& fuzzer,
+             std::ostream* out);  // NOLINT(readability-identifier-naming): GoogleTest's name
+void PrintTo(const Fuzzer& fuzzer, std::ostream* out) {
+  *out << fuzzer.name;
+}
+
 namespace {
 
 namespace fs = std::filesystem;

@@ -105,7 +105,8 @@ void EmulatedCardReader::complete() {
 void EmulatedCardReader::cut_off(Instant left_at, CardError error) {
   const auto command = robot::decode_command(command_);
   if (const auto* update = command ? std::get_if<robot::UpdateBinary>(&*command) : nullptr) {
-    if (check(*update).ok()) {
+    // An exchange that takes no time has programmed nothing when it is cut off.
+    if (check(*update).ok() && exchange_->due > exchange_->begun) {
       tear(*update, robot::to_s(left_at - exchange_->begun) / robot::to_s(exchange_->due - exchange_->begun));
     }
   }

@@ -202,6 +202,18 @@ TEST_F(CardReaderInVirtualTime, ADelayMakesItSlowAndALongOneMakesItTimeOut) {
   EXPECT_EQ(answer->error(), CardError::kTimeout);
 }
 
+TEST_F(CardReaderInVirtualTime, UnpluggedInAnExchangeThatTakesNoTimeHasWrittenNothing) {
+  EmulatedCardReader instant{CardReaderSettings{}, robot::RandomStream{1}};
+  world::TagMemory tag = transcript_tag();
+  instant.step(now_, &tag);
+  ASSERT_TRUE(instant.begin(robot::encode(robot::UpdateBinary{0, robot::Bytes(4, 0xEE)})));
+  instant.unplug();
+  EXPECT_EQ(record_bytes(tag), record_bytes(transcript_tag()));
+  const auto answer = instant.poll();
+  ASSERT_TRUE(answer && !*answer);
+  EXPECT_EQ(answer->error(), robot::CardError::kReaderGone);
+}
+
 TEST_F(CardReaderInVirtualTime, NeverCrashesOnRandomCommands) {
   RandomStream random{50};
   TagMemory tag = transcript_tag();

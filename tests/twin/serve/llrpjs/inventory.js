@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// node llrpjs_inventory.js HOST PORT: takes inventory with the npm package llrpjs, somebody else's client. Prints the
+// node inventory.js HOST PORT: takes inventory with the npm package llrpjs, somebody else's client. Prints the
 // EPCs of the first ten reports, one a line, closes in order and ends with 0.
 "use strict";
 const { LLRPClient, LLRPCore } = require("llrpjs");

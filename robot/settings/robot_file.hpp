@@ -28,7 +28,7 @@ struct RobotFile {
   std::string file;  ///< as the user spelt it
   DeviceAddresses devices;
   RobotSettings settings;
-  std::string hallways_file;  ///< relative to this file; empty: none
+  bool hallways_given{false};  ///< settings.hallways was, here or in the file named here
   bool map_id_given{false};
   double time_limit_s{20700.0};  ///< the run ends undone after this. As of scenes
 };

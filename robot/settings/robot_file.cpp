@@ -92,6 +92,8 @@ void uhf_reader_fields(FieldVisitor& v, UhfReaderSettings& reader) {
 void robot_fields(FieldVisitor& v, RobotSettings& settings) {
   v.section({"base", "the Roomba"}, [&] {
     base_fields(v, settings.base);
+    v.number({"wheel_ratio", "right wheel's diameter over the left's"}, settings.base.wheel_ratio,
+             {0.8, 1.25});
     of_the_twin_alone(v, {"height_m", "mass_kg", "wheel_acceleration_mps2", "wheel_diameter_sigma",
                           "wheel_base_sigma", "battery_capacity_mah", "battery_charge_mah"});
   });
@@ -176,6 +178,23 @@ void take_hallways(YamlNode& root, const std::filesystem::path& folder, std::vec
   }
 }
 
+/// Sections key by key; everything else, lists too, as a whole.
+void lay_over(YamlNode& below, const YamlNode& above) {
+  if (below.kind != YamlKind::kSection || above.kind != YamlKind::kSection) {
+    below = above;
+    return;
+  }
+  for (const YamlEntry& entry : above.entries) {
+    const auto found = std::find_if(below.entries.begin(), below.entries.end(),
+                                    [&](const YamlEntry& candidate) { return candidate.key == entry.key; });
+    if (found == below.entries.end()) {
+      below.entries.push_back(entry);
+    } else {
+      lay_over(found->value, entry.value);
+    }
+  }
+}
+
 void check_machine(const RobotSettings& settings, const FieldReader& reader, std::vector<Problem>& problems) {
   const double sign = settings.uhf_reader.phase_sign;
   if (sign != 1.0 && sign != -1.0) {
@@ -232,15 +251,20 @@ void check_mission(const RobotFile& robot, const FieldReader& reader, std::vecto
 }  // namespace
 
 RobotFile read_robot_file(const std::filesystem::path& file,
-                          const std::optional<std::filesystem::path>& devices, RobotFileUse use) {
-  return read_robot_text(read_text_file(file, "robot file"), file, devices, use);
+                          const std::optional<std::filesystem::path>& devices, RobotFileUse use,
+                          const std::optional<std::filesystem::path>& calibration) {
+  return read_robot_text(read_text_file(file, "robot file"), file, devices, use, calibration);
 }
 
 RobotFile read_robot_text(const std::string& text, const std::filesystem::path& file,
-                          const std::optional<std::filesystem::path>& devices, RobotFileUse use) {
+                          const std::optional<std::filesystem::path>& devices, RobotFileUse use,
+                          const std::optional<std::filesystem::path>& calibration) {
   std::vector<Problem> problems;
   YamlNode root = section_of(text, file.string(), problems);
   take_devices(root, file.parent_path(), devices, problems);
+  if (calibration) {
+    lay_over(root, section_of(read_text_file(*calibration, "calibration"), calibration->string(), problems));
+  }
   take_hallways(root, file.parent_path(), problems);
   RobotFile robot;
   robot.file = file.string();

@@ -21,6 +21,10 @@ void add_robot_options(CLI::App& app, Options& options) {
          "--devices", [&options](const std::string& file) { options.devices = file; },
          "Take the section devices: from here; twin serve writes such a file")
       ->option_text("FILE");
+  app.add_option_function<std::string>(
+         "--calibration", [&options](const std::string& file) { options.calibration = file; },
+         "Lay what sensobot calibrate measured over the robot file")
+      ->option_text("FILE");
 }
 
 void add_run(CLI::App& app, RunCommandOptions& options) {
@@ -58,12 +62,27 @@ void add_check(CLI::App& app, CheckCommandOptions& options) {
 
 void add_calibrate(CLI::App& app, CalibrateCommandOptions& options) {
   add_robot_options(app, options);
-  app.add_option("--turns", options.turns, "Turns each way round, for the wheel base; 0: none (5)")
+  app.add_option("--turns", options.plan.turns, "Turns each way round, by the compass; 0: none (5)")
       ->option_text("N")
       ->check(CLI::Range(0, 100));
-  app.add_option("--tags", options.tags, "Tiles to drive over and back, for the wheels; 0: none (4)")
+  app.add_option("--laps", options.plan.laps, "Laps each way round a square of floor tags; 0: none (3)")
       ->option_text("N")
-      ->check(CLI::Range(0, 100));
+      ->check(CLI::Range(0, 30));
+  app.add_option("--side", options.plan.side, "Of that square, in tiles (2)")
+      ->option_text("N")
+      ->check(CLI::Range(1, 20));
+  app.add_option("--speed", options.plan.speed_mps, "On the square, m/s (0.15)")
+      ->option_text("V")
+      ->check(CLI::Range(0.03, 0.4));
+  app.add_option("--spins", options.plan.spins,
+                 "Turns under a ceiling tag at each of four spots, for the UHF antennas (0)")
+      ->option_text("N")
+      ->check(CLI::Range(0, 50));
+  app.add_option("--tag", options.plan.tag, "That tag's name (the file's first)")->option_text("NAME");
+  app.add_option_function<std::string>(
+         "--out", [&options](const std::string& file) { options.out = file; },
+         "Write what was measured here, for --calibration (default: stdout)")
+      ->option_text("FILE");
   app.add_option("--rate", options.rate, "Seconds of the robot in one of the clock: the --rtf of twin serve")
       ->option_text("X")
       ->check(CLI::Range(0.01, 1000.0));
@@ -88,11 +107,13 @@ struct Commands {
     sub = app.add_subcommand("check", "test every device, moving nothing, and print what was found");
     sub->footer("sensobot check robot.yaml\nsensobot check robot.yaml --json | jq .devices");
     add_check(*sub, check);
-    sub =
-        app.add_subcommand("calibrate", "measure wheel base and wheels by turning and by driving over tags");
+    sub = app.add_subcommand(
+        "calibrate",
+        "measure wheels and antennas by driving over floor tags and turning under a ceiling tag");
     sub->footer(
-        "sensobot calibrate robot.yaml               # over a tag, four more ahead of it in a row\n"
-        "sensobot calibrate robot.yaml --tags 0      # the wheel base alone, anywhere");
+        "sensobot calibrate robot.yaml --out measured.yaml             # over a corner of 3 by 3 floor tags\n"
+        "sensobot calibrate robot.yaml --laps 0                        # the wheel base alone, anywhere\n"
+        "sensobot calibrate robot.yaml --turns 0 --laps 0 --spins 4    # under a ceiling tag");
     add_calibrate(*sub, calibrate);
     sub = app.add_subcommand("replay", "run the program of a journal again and compare its commands");
     sub->footer("sensobot replay runs/kitchen/journal");

@@ -7,6 +7,7 @@
 #include <optional>
 #include <string>
 
+#include "robot/calibration/calibration_program.hpp"
 #include "robot/output/exit_codes.hpp"
 #include "robot/ports/card_session.hpp"
 
@@ -23,7 +24,8 @@ struct SensobotEnvironment {
 
 struct RunCommandOptions {
   std::filesystem::path robot;
-  std::optional<std::filesystem::path> devices{};  ///< instead of the file's own section
+  std::optional<std::filesystem::path> devices{};      ///< instead of the file's own section
+  std::optional<std::filesystem::path> calibration{};  ///< laid over the file
   std::optional<std::filesystem::path> out{};
   bool force{false};
   std::optional<std::filesystem::path> journal{};  ///< none: in the run's folder
@@ -39,6 +41,7 @@ struct RunCommandOptions {
 struct CheckCommandOptions {
   std::filesystem::path robot;
   std::optional<std::filesystem::path> devices{};
+  std::optional<std::filesystem::path> calibration{};
   double seconds{2.0};  ///< of listening to each device
   bool json{false};
 };
@@ -48,8 +51,9 @@ struct CheckCommandOptions {
 struct CalibrateCommandOptions {
   std::filesystem::path robot;
   std::optional<std::filesystem::path> devices{};
-  int turns{5};
-  int tags{4};
+  std::optional<std::filesystem::path> calibration{};
+  CalibrationPlan plan{};
+  std::optional<std::filesystem::path> out{};  ///< none: the lines go to stdout
   double rate{1.0};
   bool json{false};
 };
@@ -66,6 +70,7 @@ struct ReplayCommandOptions {
 struct ShowCommandOptions {
   std::filesystem::path robot;
   std::optional<std::filesystem::path> devices{};
+  std::optional<std::filesystem::path> calibration{};
 };
 [[nodiscard]] ExitCode show_command(const ShowCommandOptions& options,
                                     const SensobotEnvironment& environment);

@@ -116,7 +116,7 @@ class Run {
         figures_.latest_step_s = std::max(figures_.latest_step_s, to_s(now - next));
         next = now;
       }
-      clock_.wait_until(next);
+      guardian_lives_ = wait_beating(clock_, options_.rate, next, guardian_) && guardian_lives_;
     }
     return judge();
   }
@@ -128,7 +128,6 @@ class Run {
     if (JournalWriter* journal = journal_.writer()) {
       journal->end_step(now);
     }
-    guardian_lives_ = guardian_.beat() && guardian_lives_;
     recorder_.record(program_);
     if (figures_.steps % kLookEvery == 0) {
       look_at_devices(now);

@@ -21,7 +21,7 @@ std::uint32_t fresh_map_id(std::string_view utc) {
 }  // namespace
 
 ExitCode run_command(const RunCommandOptions& options, const SensobotEnvironment& environment) {
-  RobotFile robot = read_robot_file(options.robot, options.devices);
+  RobotFile robot = read_robot_file(options.robot, options.devices, RobotFileUse::kRun, options.calibration);
   const std::string utc = environment.utc();
   if (!robot.map_id_given) {
     robot.settings.map_id = fresh_map_id(utc);

@@ -29,7 +29,8 @@ struct BaseSettings {
   BaseFirmware firmware{BaseFirmware::kCurrent};
   double radius_m{0.17};
   double wheel_base_m{0.235};
-  double wheel_diameter_m{0.072};
+  double wheel_diameter_m{0.072};  ///< mean of both
+  double wheel_ratio{1.0};         ///< right wheel's over the left's
   double counts_per_turn{508.8};
   double speed_max_mps{0.5};
 };

@@ -84,7 +84,7 @@ Summary run_mapping(const Scene& scene, RunFolder& folder, const SceneRunOptions
       links_of(twin.program(), {&twin.program().floor_reader(), &twin.program().forward_reader()});
   summary.expect = judge(limits_of(scene), figures_of(summary));
 
-  write_map(folder, recovered_grid(twin.program().mission(), scene.world.carpet.tile_m));
+  robot::write_recovered_map(folder, twin.program().mission(), scene.world.carpet.tile_m);
   if (options.pictures && !summary.interrupted) {
     // Whoever interrupts is answered within a second; a house takes three to draw.
     summary.interrupted = !draw_run(scene, twin, recorder, verdict, placement, summary, folder, may_go_on);

@@ -56,7 +56,7 @@ class OneTag : public CardSession {
 class RunOnATerminal : public ::testing::Test {
  protected:
   /// Starts the program; its output goes to a file.
-  void start(double patience_s = 5.0) {
+  void start(double patience_s = 5.0, double rate = 1.0) {
     pid_ = ::fork();
     if (pid_ != 0) {
       return;
@@ -70,7 +70,7 @@ class RunOnATerminal : public ::testing::Test {
           "version: 1\ndevices: { base: " + roomba.terminal.path() + ", card_readers: [tag] }\nmap_id: 5\n",
           "robot.yaml");
       RunFolder results(folder_.path() / "run", Existing::kRefuse);
-      RobotRunOptions options{.wait_s = 2.0, .patience_s = patience_s};
+      RobotRunOptions options{.rate = rate, .wait_s = 2.0, .patience_s = patience_s};
       options.journal = folder_.path() / "run/journal";
       options.card_service = []() -> Result<std::unique_ptr<CardSession>, CardFault> {
         return std::unique_ptr<CardSession>{std::make_unique<OneTag>()};
@@ -173,6 +173,16 @@ TEST_F(RunOnATerminal, StopsTheWheelsWithin100MillisecondsOfTheLastFrame) {
   EXPECT_LT(ms_until_it_stands(false), 100.0);
   roomba.mute = false;
   EXPECT_TRUE(live_until_it_moves());
+}
+
+TEST_F(RunOnATerminal, DrivesInSlowMotionWithoutAStopBetweenTwoSteps) {
+  start(5.0, 0.2);
+  ASSERT_TRUE(live_until_it_moves());
+  // Steps are 75 ms apart now: more than the guardian waits for a sign of life.
+  EXPECT_FALSE(live_until([&] { return !roomba.moves(); }, 0.8));
+  tell(SIGSTOP);
+  EXPECT_LT(ms_until_it_stands(true), 100.0);
+  tell(SIGCONT);
 }
 
 TEST_F(RunOnATerminal, EndsInOrderOnSigtermWithAWholeFolder) {

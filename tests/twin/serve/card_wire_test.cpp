@@ -172,7 +172,11 @@ TEST_F(ServedCard, VanishesWithTheTagAndAppearsWithTheNext) {
 }
 
 TEST_F(ServedCard, KnowsWhenPcscdHasNoticed) {
+  EXPECT_FALSE(wire_.is_settled(now_s_)) << "nobody knows whether there is a pcscd";
   put_in();
+  EXPECT_FALSE(wire_.is_settled(now_s_)) << "its client has not spoken to the tag";
+  EXPECT_TRUE(wire_.is_settled(now_s_ + 0.2)) << "and perhaps never will";
+  EXPECT_EQ(ask({0xFF, 0xCA, 0x00, 0x00, 0x00}).size(), 12u);
   EXPECT_TRUE(wire_.is_settled(now_s_));
   field_ = nullptr;
   tick();
@@ -187,7 +191,8 @@ TEST_F(ServedCard, KnowsWhenPcscdHasNoticed) {
   EXPECT_FALSE(wire_.is_settled(now_s_));
   ASSERT_TRUE(vpcd_.accept());
   EXPECT_EQ(ask({4}).size(), 22u);
-  EXPECT_TRUE(wire_.is_settled(now_s_));
+  EXPECT_FALSE(wire_.is_settled(now_s_));
+  EXPECT_TRUE(until([&] { return wire_.is_settled(now_s_); }));
 }
 
 TEST_F(ServedCard, ShowsAnExchangedTagAsARemovedOne) {

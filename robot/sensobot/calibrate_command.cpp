@@ -10,8 +10,8 @@
 #include <vector>
 
 #include "robot/config/problem.hpp"
-#include "robot/drivers/compass.hpp"
 #include "robot/drivers/roomba.hpp"
+#include "robot/drivers/sensor_board.hpp"
 #include "robot/drivers/tag_reader.hpp"
 #include "robot/output/signals.hpp"
 #include "robot/sensobot/base_guardian.hpp"
@@ -40,7 +40,7 @@ class CalibrationRun {
                  [this](int port) { guardian_lives_ = guardian_.watch(port) && guardian_lives_; }),
         links_(devices_.links()),
         base_(links_.base, base_config_of(robot.settings.base)),
-        compass_(links_.sensors),
+        sensor_board_(links_.sensors),
         tags_(links_.floor_reader, card_config_of(robot.settings.floor_reader)),
         metres_per_count_(mapping_wheels(robot.settings.base)),
         drive_({.wheel_base_m = robot.settings.base.wheel_base_m,
@@ -89,14 +89,14 @@ class CalibrationRun {
   void step(Instant now) {
     devices_.keep(now);
     base_.step(now);
-    compass_.step(now);
+    sensor_board_.step(now);
     tags_.step(now);
     guardian_lives_ = guardian_.beat() && guardian_lives_;
     while (const auto event = tags_.next_event()) {
       sensed_.tag_entered = sensed_.tag_entered || std::holds_alternative<TagEntered>(*event);
       sensed_.tag_left = sensed_.tag_left || std::holds_alternative<TagLeft>(*event);
     }
-    if (const auto& reading = compass_.reading(); reading && reading->stamp > compass_stamp_) {
+    if (const auto& reading = sensor_board_.compass(); reading && reading->stamp > compass_stamp_) {
       compass_stamp_ = reading->stamp;
       sensed_.yaw_from_north_rad = reading->yaw_from_north_rad;
     }
@@ -125,7 +125,7 @@ class CalibrationRun {
   Devices devices_;
   RobotLinks links_;
   Roomba base_;
-  Compass compass_;
+  SensorBoard sensor_board_;
   TagReader tags_;
   double metres_per_count_;
   CalibrationDrive drive_;

@@ -78,7 +78,7 @@ CalibrationProgram::CalibrationProgram(const RobotLinks& links, const RobotSetti
       plan_(plan),
       base_(links.base, base_config_of(settings.base)),
       floor_reader_(links.floor_reader, card_config_of(settings.floor_reader)),
-      compass_(links.sensors),
+      sensor_board_(links.sensors),
       mode_keeper_(base_config_of(settings.base).mode) {
   settings_.mission = {};
   settings_.mission.map.emplace();
@@ -92,7 +92,7 @@ CalibrationProgram::CalibrationProgram(const RobotLinks& links, const RobotSetti
 void CalibrationProgram::step(Instant now) {
   base_.step(now);
   floor_reader_.step(now);
-  compass_.step(now);
+  sensor_board_.step(now);
   if (uhf_reader_) {
     uhf_reader_->step(now);
     const auto reads = uhf_reader_->reads();
@@ -108,7 +108,7 @@ void CalibrationProgram::step(Instant now) {
     mode_keeper_.step(base_, *state_);
   }
   if (const RoombaState* state = base_.fresh(); state != nullptr && base_.status() == RoombaStatus::kReady) {
-    base_sensing_.take(*state, compass_, sensed_);
+    base_sensing_.take(*state, sensor_board_, sensed_);
     take_surroundings(*state, sensed_);
     think();
     sensed_ = {};

@@ -13,7 +13,7 @@
 #include "robot/calibration/square_mission.hpp"
 #include "robot/calibration/turn_mission.hpp"
 #include "robot/calibration/wheel_fit.hpp"
-#include "robot/drivers/compass.hpp"
+#include "robot/drivers/sensor_board.hpp"
 #include "robot/drivers/roomba.hpp"
 #include "robot/drivers/tag_reader.hpp"
 #include "robot/drivers/uhf_reader.hpp"
@@ -77,7 +77,7 @@ class CalibrationProgram {
   CalibrationPlan plan_;
   Roomba base_;
   TagReader floor_reader_;
-  Compass compass_;
+  SensorBoard sensor_board_;
   std::optional<UhfReader> uhf_reader_;
   ModeKeeper mode_keeper_;
   BaseSensing base_sensing_;

@@ -4,8 +4,8 @@
 #include <optional>
 
 #include "robot/base/time.hpp"
-#include "robot/drivers/compass.hpp"
 #include "robot/drivers/roomba_state.hpp"
+#include "robot/drivers/sensor_board.hpp"
 
 namespace sensotwin::robot {
 
@@ -16,7 +16,7 @@ class BaseSensing {
   /// \param sensed  has stamp, counts_left, counts_right, bump_left, bump_right and compass_rad; fresh for
   /// this step
   template <class Sensed>
-  void take(const RoombaState& state, const Compass& compass, Sensed& sensed) {
+  void take(const RoombaState& state, const SensorBoard& board, Sensed& sensed) {
     sensed.stamp = state.stamp;
     if (state.encoders) {
       if (last_counts_) {
@@ -27,7 +27,7 @@ class BaseSensing {
     }
     sensed.bump_left = state.bump_left;
     sensed.bump_right = state.bump_right;
-    if (const auto& reading = compass.reading(); reading && reading->stamp > compass_stamp_) {
+    if (const auto& reading = board.compass(); reading && reading->stamp > compass_stamp_) {
       compass_stamp_ = reading->stamp;
       sensed.compass_rad = reading->yaw_from_north_rad;
     }

@@ -8,7 +8,7 @@ namespace sensotwin::robot {
 HallwayProgram::HallwayProgram(const HallwayLinks& links, const HallwayProgramConfig& config)
     : base_(links.base, config.base),
       floor_reader_(links.floor_reader, config.floor_reader),
-      compass_(links.sensors),
+      sensor_board_(links.sensors),
       mode_keeper_(config.base.mode) {
   if (const auto* mission = std::get_if<HallwayMissionConfig>(&config.mission)) {
     mission_.emplace(*mission);
@@ -20,7 +20,7 @@ HallwayProgram::HallwayProgram(const HallwayLinks& links, const HallwayProgramCo
 void HallwayProgram::step(Instant now) {
   base_.step(now);
   floor_reader_.step(now);
-  compass_.step(now);
+  sensor_board_.step(now);
   gather_tags();
   if (const RoombaState* state = base_.fresh()) {
     state_ = *state;
@@ -46,8 +46,8 @@ void HallwayProgram::gather_tags() {
 }
 
 void HallwayProgram::sense(const RoombaState& state) {
-  base_sensing_.take(state, compass_, sensed_);
-  if (const auto& round = compass_.sonars(); round && round->stamp > sonar_stamp_) {
+  base_sensing_.take(state, sensor_board_, sensed_);
+  if (const auto& round = sensor_board_.sonars(); round && round->stamp > sonar_stamp_) {
     sonar_stamp_ = round->stamp;
     SonarRanges ranges;
     std::copy_n(round->range_m.begin(), ranges.size(), ranges.begin());

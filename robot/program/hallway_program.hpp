@@ -6,8 +6,8 @@
 #include <vector>
 
 #include "robot/base/time.hpp"
-#include "robot/drivers/compass.hpp"
 #include "robot/drivers/roomba.hpp"
+#include "robot/drivers/sensor_board.hpp"
 #include "robot/drivers/tag_reader.hpp"
 #include "robot/hal/byte_link.hpp"
 #include "robot/hal/card_link.hpp"
@@ -67,7 +67,7 @@ class HallwayProgram {
 
   [[nodiscard]] const Roomba& base() const { return base_; }
   [[nodiscard]] const TagReader& floor_reader() const { return floor_reader_; }
-  [[nodiscard]] const Compass& compass() const { return compass_; }
+  [[nodiscard]] const SensorBoard& sensor_board() const { return sensor_board_; }
   /// The last command given to the wheels.
   [[nodiscard]] const WheelSpeeds& wheels() const { return wheels_; }
 
@@ -77,7 +77,7 @@ class HallwayProgram {
 
   Roomba base_;
   TagReader floor_reader_;
-  Compass compass_;
+  SensorBoard sensor_board_;
   ModeKeeper mode_keeper_;
   std::optional<HallwayMission> mission_;
   std::optional<HallwaySurvey> survey_;

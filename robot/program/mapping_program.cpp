@@ -15,7 +15,7 @@ MappingProgram::MappingProgram(const MappingLinks& links, const MappingProgramCo
       base_(links.base, config.base),
       floor_reader_(links.floor_reader, config.reader),
       forward_reader_(links.forward_reader, config.reader),
-      compass_(links.sensors),
+      sensor_board_(links.sensors),
       mode_keeper_(config.base.mode),
       mission_(config.mapping, std::move(explorer)) {}
 
@@ -23,7 +23,7 @@ void MappingProgram::step(Instant now) {
   base_.step(now);
   floor_reader_.step(now);
   forward_reader_.step(now);
-  compass_.step(now);
+  sensor_board_.step(now);
   take_floor_tags(floor_reader_, sensed_);
   gather_objects();
   if (base_.fresh() != nullptr) {
@@ -56,7 +56,7 @@ void MappingProgram::gather_objects() {
 }
 
 void MappingProgram::sense(const RoombaState& state) {
-  base_sensing_.take(state, compass_, sensed_);
+  base_sensing_.take(state, sensor_board_, sensed_);
   take_surroundings(state, sensed_);
 }
 

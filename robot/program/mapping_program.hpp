@@ -7,8 +7,8 @@
 #include <vector>
 
 #include "robot/base/time.hpp"
-#include "robot/drivers/compass.hpp"
 #include "robot/drivers/roomba.hpp"
+#include "robot/drivers/sensor_board.hpp"
 #include "robot/drivers/tag_reader.hpp"
 #include "robot/hal/byte_link.hpp"
 #include "robot/hal/card_link.hpp"
@@ -61,7 +61,7 @@ class MappingProgram {
   [[nodiscard]] const Roomba& base() const { return base_; }
   [[nodiscard]] const TagReader& floor_reader() const { return floor_reader_; }
   [[nodiscard]] const TagReader& forward_reader() const { return forward_reader_; }
-  [[nodiscard]] const Compass& compass() const { return compass_; }
+  [[nodiscard]] const SensorBoard& sensor_board() const { return sensor_board_; }
   /// The last command given to the wheels.
   [[nodiscard]] const WheelSpeeds& wheels() const { return wheels_; }
   /// The last frame's battery and bumper, for whoever shows them. Nothing before the first frame.
@@ -78,7 +78,7 @@ class MappingProgram {
   Roomba base_;
   TagReader floor_reader_;
   TagReader forward_reader_;
-  Compass compass_;
+  SensorBoard sensor_board_;
   ModeKeeper mode_keeper_;
   MappingMission mission_;
   Sensed sensed_;

@@ -29,7 +29,7 @@ PhaseProgram::PhaseProgram(const PhaseLinks& links, const PhaseProgramConfig& co
     : base_(links.base, config.base),
       uhf_reader_(links.uhf_reader, config.uhf_reader),
       floor_reader_(links.floor_reader, config.floor_reader),
-      compass_(links.sensors),
+      sensor_board_(links.sensors),
       mode_keeper_(config.base.mode),
       wheel_model_(config.wheels) {
   if (const auto* fuzzy = std::get_if<FuzzyMissionConfig>(&config.mission)) {
@@ -43,7 +43,7 @@ void PhaseProgram::step(Instant now) {
   base_.step(now);
   uhf_reader_.step(now);
   floor_reader_.step(now);
-  compass_.step(now);
+  sensor_board_.step(now);
   gather_reads();
   gather_floor_tags();
   if (const RoombaState* state = base_.fresh()) {
@@ -93,7 +93,7 @@ void PhaseProgram::gather_floor_tags() {
 }
 
 void PhaseProgram::sense(const RoombaState& state) {
-  base_sensing_.take(state, compass_, sensed_);
+  base_sensing_.take(state, sensor_board_, sensed_);
   X_OR_ = advanced(X_OR_, wheel_step(wheel_model_, sensed_.counts_left, sensed_.counts_right));
   sensed_.reader_up = uhf_reader_.status() == UhfReaderStatus::kReading;
   // A reader may report a read after a later one (uhf_reader.hpp).

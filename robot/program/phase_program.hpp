@@ -7,8 +7,8 @@
 #include <vector>
 
 #include "robot/base/time.hpp"
-#include "robot/drivers/compass.hpp"
 #include "robot/drivers/roomba.hpp"
+#include "robot/drivers/sensor_board.hpp"
 #include "robot/drivers/tag_reader.hpp"
 #include "robot/drivers/uhf_reader.hpp"
 #include "robot/hal/byte_link.hpp"
@@ -69,7 +69,7 @@ class PhaseProgram {
   [[nodiscard]] const Roomba& base() const { return base_; }
   [[nodiscard]] const UhfReader& uhf_reader() const { return uhf_reader_; }
   [[nodiscard]] const TagReader& floor_reader() const { return floor_reader_; }
-  [[nodiscard]] const Compass& compass() const { return compass_; }
+  [[nodiscard]] const SensorBoard& sensor_board() const { return sensor_board_; }
   /// By the wheels alone; frame O, the pose at the first frame.
   [[nodiscard]] const Pose2& odometry() const { return X_OR_; }
   /// Where the mission thinks that the robot is, frame M; none with the fuzzy controller.
@@ -86,7 +86,7 @@ class PhaseProgram {
   Roomba base_;
   UhfReader uhf_reader_;
   TagReader floor_reader_;
-  Compass compass_;
+  SensorBoard sensor_board_;
   ModeKeeper mode_keeper_;
   WheelModel wheel_model_;
   std::optional<FuzzyMission> fuzzy_;

@@ -8,8 +8,8 @@
 #include <set>
 #include <string_view>
 
-#include "robot/drivers/compass.hpp"
 #include "robot/drivers/roomba.hpp"
+#include "robot/drivers/sensor_board.hpp"
 #include "robot/drivers/tag_reader.hpp"
 #include "robot/drivers/uhf_reader.hpp"
 #include "robot/output/signals.hpp"
@@ -39,7 +39,7 @@ class Probe {
         links_(devices_.links()),
         tap_(links_.uhf_reader),
         base_(links_.base, base_config_of(robot.settings.base)),
-        compass_(links_.sensors),
+        sensor_board_(links_.sensors),
         uhf_(tap_, uhf_config_of(robot.settings.uhf_reader)),
         floor_(links_.floor_reader, card_config_of(robot.settings.floor_reader)),
         forward_(links_.forward_reader, card_config_of(robot.settings.forward_reader)) {}
@@ -53,7 +53,7 @@ class Probe {
       step(next);
       if (!until && (answers() || next >= Instant{from_s(settle_s)})) {
         until = next + from_s(seconds);
-        begin_ = {base_.health().frames_good, compass_.health().headings, uhf_.health().reads};
+        begin_ = {base_.health().frames_good, sensor_board_.health().headings, uhf_.health().reads};
       }
       next += kTick;
       clock_.wait_until(next);
@@ -88,7 +88,7 @@ class Probe {
   void step(Instant now) {
     devices_.keep(now);
     base_.step(now);
-    compass_.step(now);
+    sensor_board_.step(now);
     uhf_.step(now);
     floor_.step(now);
     forward_.step(now);
@@ -105,7 +105,7 @@ class Probe {
 
   [[nodiscard]] bool answers() const {
     const DeviceAddresses& at = robot_.devices;
-    return (!at.base || state_) && (!at.sensors || compass_.health().headings > 0) &&
+    return (!at.base || state_) && (!at.sensors || sensor_board_.health().headings > 0) &&
            (!at.llrp || uhf_.status() == UhfReaderStatus::kReading);
   }
 
@@ -156,7 +156,7 @@ class Probe {
   }
 
   void look_at_sensors(Finding& finding) {
-    const CompassHealth& health = compass_.health();
+    const SensorBoardHealth& health = sensor_board_.health();
     if (health.headings == 0) {
       finding.ok = false;
       finding.trouble = fmt::format("no heading came ({} sentences with a bad checksum, {} of other kinds)",
@@ -167,8 +167,8 @@ class Probe {
     }
     finding.facts.emplace_back("headings_per_s", rate(health.headings, begin_.headings));
     finding.facts.emplace_back("sentences_corrupt", std::to_string(health.bad_checksum + health.bad_frame));
-    if (compass_.reading()) {
-      const double yaw_deg = deg_from_rad(compass_.reading()->yaw_from_north_rad);
+    if (sensor_board_.compass()) {
+      const double yaw_deg = deg_from_rad(sensor_board_.compass()->yaw_from_north_rad);
       finding.facts.emplace_back("heading_deg",
                                  fmt::format("{:.1f}", yaw_deg > 0.0 ? 360.0 - yaw_deg : -yaw_deg));
     }
@@ -216,7 +216,7 @@ class Probe {
   RobotLinks links_;
   CapabilitiesTap tap_;
   Roomba base_;
-  Compass compass_;
+  SensorBoard sensor_board_;
   UhfReader uhf_;
   TagReader floor_;
   TagReader forward_;

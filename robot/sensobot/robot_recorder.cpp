@@ -53,8 +53,8 @@ Json links_json(RobotProgram& program) {
   const ReaderHealth& floor = program.floor_reader().health();
   links["card_exchanges"] = floor.exchanges;
   links["card_exchanges_failed"] = floor.removed + floor.timeouts;
-  links["compass_sentences"] = program.compass().health().headings;
-  links["compass_sentences_corrupt"] = program.compass().health().bad_checksum;
+  links["compass_sentences"] = program.sensor_board().health().headings;
+  links["compass_sentences_corrupt"] = program.sensor_board().health().bad_checksum;
   if (const PhaseProgram* phase = program.phase()) {
     links["uhf_reads"] = phase->uhf_reader().health().reads;
     links["uhf_setups"] = phase->uhf_reader().health().setups;

@@ -28,6 +28,8 @@ struct SideText {
   std::string to;
   std::optional<double> length_m;
   std::vector<std::string> tags;
+  std::optional<double> bearing_rad;  ///< clockwise from the plan's north, as on a compass
+  std::optional<double> tag_m;
 };
 struct PlaceText {
   std::string name;
@@ -59,6 +61,12 @@ void side_fields(FieldVisitor& v, SideText& side) {
     v.number({"length_m", "from middle to middle, m"}, length_m, {0.0, 10000.0, true});
   });
   v.texts({"tags", "met on coming to this place from this side"}, side.tags, {0, 100});
+  const Field bearing{"bearing_deg", "in which it leaves, clockwise from the plan's north"};
+  v.maybe(bearing, side.bearing_rad, [&](double& bearing_rad) {
+    v.angle(bearing, bearing_rad, {-180.0, 360.0});
+  });
+  const Field tag{"tag_m", "from these tags to the middle of the place, m"};
+  v.maybe(tag, side.tag_m, [&](double& tag_m) { v.number(tag, tag_m, {0.1, 10.0}); });
 }
 
 void place_fields(FieldVisitor& v, PlaceText& place) {
@@ -124,6 +132,10 @@ class MapMaker {
     Side side;
     side.hallway = Hallway::kUnknown;
     side.length_m = text.length_m;
+    if (text.bearing_rad) {
+      side.bearing_rad = wrap_angle(-*text.bearing_rad);
+    }
+    side.tag_m = text.tag_m;
     if (text.to != kUnknown) {
       const auto found = index_.find(text.to);
       if (found == index_.end()) {
@@ -165,7 +177,12 @@ PlaceText text_of(const HallwayNode& node, const HallwayMap& map) {
     }
     SideText text{side.hallway == Hallway::kUnknown ? std::string{kUnknown} : map.node(side.to).name,
                   side.length_m,
-                  {}};
+                  {},
+                  {},
+                  side.tag_m};
+    if (side.bearing_rad) {
+      text.bearing_rad = wrap_angle(-*side.bearing_rad);
+    }
     for (const TagNumber tag : side.tags) {
       text.tags.push_back(tag_text(tag));
     }

@@ -25,8 +25,9 @@ namespace sensotwin::robot {
 ///       c:
 ///         at_m: [7, -6]       # x east, y north on the plan; may be left out
 ///         N: { to: d, length_m: 6, tags: ["6"] }      # met on coming to c from the north
+///         W: { to: b, bearing_deg: 283, tag_m: 1.5 }  # leaves 13 degrees north of west; its tag's distance
 ///         E: { to: "?", tags: ["E004015012345678"] }  # nobody knows where it leads
-///                             # no S, no W: no hallway, the paper's "-"
+///                             # no S: no hallway, the paper's "-"
 ///
 /// A tag is its number on the plan, in decimal digits, or its unique number, 16 hexadecimal ones.
 struct HallwayFile {

@@ -40,8 +40,8 @@ const TagReader& RobotProgram::floor_reader() const {
   return phase_ ? phase_->floor_reader() : hallway_ ? hallway_->floor_reader() : mapping_->floor_reader();
 }
 
-const Compass& RobotProgram::compass() const {
-  return phase_ ? phase_->compass() : hallway_ ? hallway_->compass() : mapping_->compass();
+const SensorBoard& RobotProgram::sensor_board() const {
+  return phase_ ? phase_->sensor_board() : hallway_ ? hallway_->sensor_board() : mapping_->sensor_board();
 }
 
 const WheelSpeeds& RobotProgram::wheels() const {

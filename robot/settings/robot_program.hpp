@@ -37,7 +37,7 @@ class RobotProgram {
   [[nodiscard]] bool done() const;
   [[nodiscard]] const Roomba& base() const;
   [[nodiscard]] const TagReader& floor_reader() const;
-  [[nodiscard]] const Compass& compass() const;
+  [[nodiscard]] const SensorBoard& sensor_board() const;
   [[nodiscard]] const WheelSpeeds& wheels() const;
   /// The one of the three that runs; the others are nullptr.
   [[nodiscard]] MappingProgram* mapping() { return mapping_ ? &*mapping_ : nullptr; }

@@ -2,12 +2,20 @@
 #pragma once
 
 #include <array>
+#include <cstdint>
 
 #include "robot/base/geometry.hpp"
 #include "robot/base/time.hpp"
 #include "robot/topology/hallway_io.hpp"
 
 namespace sensotwin::robot {
+
+/// What it keeps to in a hallway.
+enum class HallwayLine : std::uint8_t {
+  kMiddle,  ///< between the walls
+  kLeft,    ///< at HallwayConfig::wall_m from the left wall
+  kRight,   ///< from the right wall
+};
 
 /// How the robot is built and how it behaves in hallways. What the two pages of the paper at hand leave open
 /// (sonar layout, tag range, speed) is assumed, as algorithms study, D, lists it.
@@ -30,7 +38,10 @@ struct HallwayConfig {
   /// meets the junction, half a hallway's width off its middle; algorithms study, D: 0.3 to 1 m.
   double tag_to_middle_m{1.0};
   double tag_reach_m{0.3};
-  double hallway_width_m{2.0};  ///< until it has been measured. Algorithms study, D: 1.5 to 2.5 m
+  double hallway_width_m{2.0};  ///< until the first has been measured. Algorithms study, D: 1.5 to 2.5 m
+
+  HallwayLine follow{HallwayLine::kMiddle};
+  double wall_m{0.6};  ///< to the wall that is followed; at most half the width. Chosen: the robot and a hand
 
   double speed_mps{0.3};          ///< Chosen: 60 % of the Roomba's 0.5 m/s leaves room to correct
   double turn_radps{1.5};         ///< Chosen: a quarter turn a second
@@ -46,7 +57,7 @@ struct HallwayConfig {
   /// The map's lengths are from middle to middle, off a plan: wrong by so much. Chosen: a tape measure over a
   /// plan.
   double length_slack{0.10};
-  double length_slack_m{1.5};
+  double length_slack_m{1.0};
   /// Without a place for so much way beyond what the map says, it is lost. Chosen.
   double overshoot_m{6.0};
   /// The longest way to a place when the map gives no length. Chosen: a long hallway.

@@ -11,6 +11,9 @@
 namespace sensotwin::robot {
 namespace {
 
+/// Bearings are written to the degree.
+constexpr double kStraight_rad = rad_from_deg(1.0);
+
 std::string words(CompassPoint side) {
   return std::string{name_of(side)};
 }
@@ -44,6 +47,9 @@ void check_hallway(const std::vector<HallwayNode>& nodes, NodeIndex from, Compas
     complain("leads to a place that is not there");
     return;
   }
+  if (std::abs(wrap_angle(node.bearing_rad(point) - yaw_rad_of(point))) > kOffPoint_rad + kStraight_rad) {
+    complain("leaves more than 45 degrees off its compass point");
+  }
   const HallwayNode& other = nodes[side.to];
   if (side.to == from) {
     complain("leads back to itself: put a place at the bend");
@@ -57,6 +63,9 @@ void check_hallway(const std::vector<HallwayNode>& nodes, NodeIndex from, Compas
     complain("leads to '" + other.name + "', whose " + words(opposite(point)) + " side does not lead back");
   } else if (back.length_m != side.length_m) {
     complain("has another length than '" + other.name + "' gives it");
+  } else if (std::abs(wrap_angle(other.bearing_rad(opposite(point)) - node.bearing_rad(point) - kPi)) >
+             kStraight_rad) {
+    complain("leads straight to '" + other.name + "', whose bearing is not the opposite one");
   }
 }
 

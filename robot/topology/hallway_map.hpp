@@ -34,6 +34,11 @@ struct Side {
   NodeIndex to{0};                   ///< of kLeadsTo
   std::optional<double> length_m{};  ///< of kLeadsTo: from middle to middle
   std::vector<TagNumber> tags{};     ///< met when coming to the place from this side
+  /// Direction in which the hallway leaves, counter-clockwise from the plan's north; nothing: its compass
+  /// point's. Buildings have hallways that are not square to each other.
+  std::optional<double> bearing_rad{};
+  /// From the tags to the middle of the place; nothing: as everywhere in the building.
+  std::optional<double> tag_m{};
 };
 
 /// A particular place: intersection, junction, bend or end.
@@ -44,6 +49,10 @@ struct HallwayNode {
 
   [[nodiscard]] const Side& side(CompassPoint point) const { return sides[static_cast<std::size_t>(point)]; }
   [[nodiscard]] Side& side(CompassPoint point) { return sides[static_cast<std::size_t>(point)]; }
+  /// In which the hallway on that side leaves, counter-clockwise from the plan's north.
+  [[nodiscard]] double bearing_rad(CompassPoint point) const {
+    return side(point).bearing_rad.value_or(yaw_rad_of(point));
+  }
   /// Sides with a hallway, known or not.
   [[nodiscard]] int hallways() const;
 };
@@ -60,6 +69,9 @@ struct HallwayMapProblem {
   std::optional<CompassPoint> side;  ///< none: the node as a whole
   std::string what;
 };
+
+/// So far from its compass point a hallway may leave: halfway to the next one.
+inline constexpr double kOffPoint_rad = 0.25 * kPi;
 
 /// Places and the hallways between them. Every change keeps both ends of a hallway in step.
 class HallwayMap {
@@ -86,8 +98,8 @@ class HallwayMap {
   /// it.
   static HallwayMap from_nodes(std::vector<HallwayNode> nodes);
   /// Names that are empty or there twice, hallways that do not lead back on the opposite side or with another
-  /// length, lengths that are not positive, tags in two places, places that no hallway leads to. Empty: a
-  /// sound map.
+  /// length, lengths that are not positive, hallways that leave more than kOffPoint_rad from their compass
+  /// point or are not straight, tags in two places, places that no hallway leads to. Empty: a sound map.
   [[nodiscard]] std::vector<HallwayMapProblem> check() const;
 
  private:

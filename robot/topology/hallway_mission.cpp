@@ -23,7 +23,8 @@ HallwayCommand HallwayMission::step(const HallwaySensed& sensed) {
 Task<> HallwayMission::run() {
   status_.place = config_.start;
   if (!status_.place) {
-    const bool found = co_await find_place();
+    const double axis_rad = yaw_rad_of(nearest_point(*walk_.tracker().heading_rad()));
+    const bool found = co_await find_place(axis_rad);
     if (!found) {
       stop(HallwayEventKind::kLost);
       co_return;
@@ -48,41 +49,43 @@ Task<> HallwayMission::run() {
   say(HallwayEventKind::kGoal, config_.goal);
 }
 
-Task<bool> HallwayMission::find_place() {
-  CompassPoint heading = nearest_point(*walk_.tracker().heading_rad());
+Task<bool> HallwayMission::find_place(double axis_rad) {
   for (int i = 0; i < kSearches; ++i) {
-    co_await walk_.pilot().turn_to(heading);
-    const HallwayLeg leg{std::nullopt, heading, std::nullopt, std::nullopt};
+    co_await walk_.pilot().turn_to(axis_rad);
+    HallwayLeg leg;
+    leg.heading = nearest_point(axis_rad);
+    leg.axis_rad = axis_rad;
     const HallwayPassage passage = co_await walk_.along(leg, *this);
     if (passage.end == PassageEnd::kArrived) {
       say(HallwayEventKind::kPlaced, passage.at.node, passage.at.from);
       co_await come_to(passage, std::nullopt);
       co_return true;
     }
-    heading = opposite(heading);
+    axis_rad = wrap_angle(axis_rad + kPi);
   }
   co_return false;
 }
 
 Task<bool> HallwayMission::go_on(RouteStep step) {
-  co_await walk_.pilot().turn_to(step.exit);
+  const HallwayLeg leg = leg_of(step.from, step.exit);
+  co_await walk_.pilot().turn_to(leg.axis_rad);
   status_.leaving = step.exit;
   status_.heading_for = step.to;
   say(HallwayEventKind::kLeft, step.from, step.exit);
-  const HallwayLeg leg = leg_of(step.from, step.exit);
   HallwayPassage passage = co_await walk_.along(leg, *this);
   if (passage.end == PassageEnd::kBlocked) {
     say(HallwayEventKind::kBlocked, step.from, step.exit);
     blocked_.block(config_.map, step.from, step.exit);
-    const CompassPoint home = opposite(step.exit);
-    co_await walk_.pilot().turn_to(home);
-    const HallwayLeg way_back{std::nullopt, home, step.from, passage.way_m};
+    const double home_rad = wrap_angle(leg.axis_rad + kPi);
+    co_await walk_.pilot().turn_to(home_rad);
+    const HallwayLeg way_back{std::nullopt, opposite(step.exit), home_rad, step.from, passage.way_m};
     passage = co_await walk_.along(way_back, *this);
     status_.heading_for = step.from;
   }
   if (passage.end != PassageEnd::kArrived) {
-    // Nothing where a place should be: any tag will do.
-    const bool found = co_await find_place();
+    // Nothing where a place should be: any tag will do, and it may have gone past the one it seeks.
+    const double back_rad = wrap_angle(walk_.tracker().axis_rad().value_or(leg.axis_rad) + kPi);
+    const bool found = co_await find_place(back_rad);
     co_return found;
   }
   co_await come_to(passage, status_.heading_for);
@@ -106,28 +109,30 @@ std::optional<HallwayPassage> HallwayMission::by_tag(HallwayLeg& leg, TagNumber 
     return std::nullopt;
   }
   say(HallwayEventKind::kTag, met->node, met->from);
-  const bool just_left =
-      leg.from == met->node && walk_.tracker().way_m() < 2.0 * walk_.config().tag_to_middle_m;
+  const double to_middle_m = tag_to_middle_m(met->node, met->from);
+  const bool just_left = leg.from == met->node && walk_.tracker().way_m() < 2.0 * to_middle_m;
   const bool ran_over = leg.to == met->node && leg.length_m && walk_.tracker().way_m() > *leg.length_m &&
                         met->from != opposite(leg.heading);
   const bool leaving = just_left || ran_over || met->from == leg.heading;
   const CompassPoint heading = leaving ? met->from : opposite(met->from);
   if (heading != leg.heading) {
     say(HallwayEventKind::kTurnedWrong, met->node, met->from);
-    walk_.tracker().correct(quarter_turns_right(leg.heading, heading));
+    const double out_rad = config_.map.node(met->node).bearing_rad(met->from);
+    const double truly_rad = leaving ? out_rad : wrap_angle(out_rad + kPi);
+    walk_.tracker().correct(wrap_angle(truly_rad - leg.axis_rad));
     blocked_.clear();  // whatever it met, it met elsewhere
   }
   if (!leaving) {
     say(HallwayEventKind::kArrived, met->node, met->from);
-    return HallwayPassage{PassageEnd::kArrived, *met, walk_.tag_to_middle_m(), 0.0};
+    return HallwayPassage{PassageEnd::kArrived, *met, to_middle_m + walk_.config().tag_reach_m, 0.0};
   }
   if (heading != leg.heading || leg.from != met->node) {
     // The place ahead is another one than was thought.
     leg = leg_of(met->node, met->from);
     if (leg.length_m) {
-      *leg.length_m -= walk_.config().tag_to_middle_m;
+      *leg.length_m -= to_middle_m;
     }
-    walk_.tracker().enter(leg.heading);
+    walk_.tracker().enter(leg.axis_rad);
     status_.place = met->node;
     status_.leaving = leg.heading;
     status_.heading_for = leg.to;
@@ -138,15 +143,15 @@ std::optional<HallwayPassage> HallwayMission::by_tag(HallwayLeg& leg, TagNumber 
 std::optional<HallwayPassage> HallwayMission::by_sonar(const HallwayLeg& leg) {
   const HallwayConfig& robot = walk_.config();
   const double way_m = walk_.tracker().way_m();
-  // Not the junction that it is just leaving.
-  if (!leg.to || way_m < 1.5 * robot.tag_to_middle_m ||
+  if (!leg.to ||
       (leg.length_m && way_m < *leg.length_m * (1.0 - robot.length_slack) - robot.length_slack_m)) {
     return std::nullopt;
   }
   const auto leads = [&](int turn) {
     return config_.map.node(*leg.to).side(turned_right(leg.heading, turn)).hallway != Hallway::kNone;
   };
-  std::optional<double> to_middle_m = walk_.opening_ahead_m(leads(-1), leads(1));
+  std::optional<double> to_middle_m =
+      walk_.opening_ahead_m(leads(-1), leads(1), tag_to_middle_m(*leg.to, opposite(leg.heading)));
   if (!to_middle_m && !leads(0)) {
     to_middle_m = walk_.end_ahead_m();
   }
@@ -160,10 +165,15 @@ std::optional<HallwayPassage> HallwayMission::by_sonar(const HallwayLeg& leg) {
 
 HallwayLeg HallwayMission::leg_of(NodeIndex from, CompassPoint exit) const {
   const Side& side = config_.map.node(from).side(exit);
+  const double bearing_rad = config_.map.node(from).bearing_rad(exit);
   if (side.hallway != Hallway::kLeadsTo) {
-    return {from, exit, std::nullopt, std::nullopt};
+    return {from, exit, bearing_rad, std::nullopt, std::nullopt};
   }
-  return {from, exit, side.to, side.length_m};
+  return {from, exit, bearing_rad, side.to, side.length_m};
+}
+
+double HallwayMission::tag_to_middle_m(NodeIndex node, CompassPoint side) const {
+  return config_.map.node(node).side(side).tag_m.value_or(walk_.config().tag_to_middle_m);
 }
 
 void HallwayMission::say(HallwayEventKind kind, std::optional<NodeIndex> place,

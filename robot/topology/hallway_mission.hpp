@@ -58,13 +58,16 @@ class HallwayMission final : private PlaceWatcher {
  private:
   Task<> run();
   /// From anywhere: along the hallway until a tag tells.
-  Task<bool> find_place();
+  /// \param axis_rad  of the hallway it stands in
+  Task<bool> find_place(double axis_rad);
   Task<bool> go_on(RouteStep step);
   Task<> come_to(HallwayPassage passage, std::optional<NodeIndex> meant);
 
   std::optional<HallwayPassage> by_tag(HallwayLeg& leg, TagNumber tag) override;
   std::optional<HallwayPassage> by_sonar(const HallwayLeg& leg) override;
   [[nodiscard]] HallwayLeg leg_of(NodeIndex from, CompassPoint exit) const;
+  /// From the tags on that side of a place to its middle.
+  [[nodiscard]] double tag_to_middle_m(NodeIndex node, CompassPoint side) const;
   void say(HallwayEventKind kind, std::optional<NodeIndex> place = {}, std::optional<CompassPoint> side = {},
            double value = 0.0);
   void stop(HallwayEventKind why);

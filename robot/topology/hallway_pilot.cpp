@@ -24,6 +24,8 @@ constexpr double kClearance_m = 0.12;
 constexpr double kPass_mps = 0.15;
 constexpr double kPassBack_m = 0.45;
 constexpr double kPassBeside_m = 1.6;
+/// At most so far from the middle, where there is more room than a box or a person needs.
+constexpr double kAside_m = 1.0;
 
 }  // namespace
 
@@ -39,7 +41,8 @@ double HallwayPilot::ramped(double speed_mps) const {
 }
 
 void HallwayPilot::follow(double speed_mps) {
-  const double across_m = tracker_.left_of_middle_m().value_or(keep_left_m_) - keep_left_m_;
+  const double across_m = keep_left_m_ ? tracker_.left_of_middle_m().value_or(*keep_left_m_) - *keep_left_m_
+                                       : tracker_.left_of_line_m().value_or(0.0);
   const double astray_rad =
       tracker_.off_axis_rad() + std::clamp(std::atan(across_m / kLookahead_m), -kApproach_rad, kApproach_rad);
   command(ramped(speed_mps),
@@ -76,10 +79,10 @@ Task<> HallwayPilot::turn_by_heading(double heading_rad) {
   co_await step_.next;
 }
 
-Task<> HallwayPilot::turn_to(CompassPoint point) {
+Task<> HallwayPilot::turn_to(double heading_rad) {
   co_await brake();
   tracker_.leave();
-  co_await turn_by_heading(yaw_rad_of(point));
+  co_await turn_by_heading(heading_rad);
 }
 
 Task<> HallwayPilot::advance(double way_m) {
@@ -117,7 +120,7 @@ Task<> HallwayPilot::wait(Duration time) {
 }
 
 Task<bool> HallwayPilot::pass_on(bool left) {
-  const double room_m = 0.5 * tracker_.width_m() - config_.radius_m - kClearance_m;
+  const double room_m = std::min(kAside_m, 0.5 * tracker_.width_m() - config_.radius_m - kClearance_m);
   if (room_m < config_.radius_m) {
     co_return false;
   }
@@ -125,11 +128,11 @@ Task<bool> HallwayPilot::pass_on(bool left) {
   const double begin_m = tracker_.way_m();
   keep_left_m_ = left ? room_m : -room_m;
   // Out to the side first: what stands ahead is nearer than the line law needs to get there.
-  const double axis_rad = yaw_rad_of(*tracker_.axis());
+  const double axis_rad = *tracker_.axis_rad();
   const double out_rad = wrap_angle(axis_rad + (left ? 1.0 : -1.0) * 0.25 * kPi);
   co_await turn_by_heading(out_rad);
   const double out_m =
-      std::abs(keep_left_m_ - tracker_.left_of_middle_m().value_or(0.0)) / std::sin(0.25 * kPi);
+      std::abs(*keep_left_m_ - tracker_.left_of_middle_m().value_or(0.0)) / std::sin(0.25 * kPi);
   const double out_end_m = tracker_.way_m() + out_m;
   while (tracker_.way_m() < out_end_m && !in_the_way()) {
     command(ramped(kPass_mps), 0.0);
@@ -147,7 +150,7 @@ Task<bool> HallwayPilot::pass_on(bool left) {
     co_await step_.next;
   }
   co_await brake();
-  keep_left_m_ = 0.0;
+  keep_left_m_.reset();
   co_return passed;
 }
 

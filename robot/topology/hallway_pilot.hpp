@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <optional>
+
 #include "robot/base/task.hpp"
 #include "robot/topology/hallway_tracker.hpp"
 
@@ -21,12 +23,10 @@ class HallwayPilot {
 
   /// One step along the hallway: sets the wheel command. \param speed_mps  towards which the speed is ramped
   void follow(double speed_mps);
-  /// How far left of the middle follow() keeps. 0 unless something is being passed.
-  void keep_left_m(double left_m) { keep_left_m_ = left_m; }
 
   Task<> brake();
-  /// On the spot, until it heads for that point.
-  Task<> turn_to(CompassPoint point);
+  /// On the spot, until it heads there. \param heading_rad  counter-clockwise from the plan's north
+  Task<> turn_to(double heading_rad);
   /// So far along the hallway, or until something is nearer ahead than the shell's own clearance.
   Task<> advance(double way_m);
   /// Straight back, blind.
@@ -52,7 +52,8 @@ class HallwayPilot {
   HallwayTracker& tracker_;
   HallwayStep& step_;
   double speed_mps_{0.0};
-  double keep_left_m_{0.0};
+  /// While something is passed: how far left of the middle it keeps.
+  std::optional<double> keep_left_m_;
 };
 
 }  // namespace sensotwin::robot

@@ -24,6 +24,13 @@ Vec2 towards(CompassPoint point) {
   return {-std::round(std::sin(yaw_rad)), std::round(std::cos(yaw_rad))};
 }
 
+HallwayLeg leg_by(CompassPoint heading) {
+  HallwayLeg leg;
+  leg.heading = heading;
+  leg.axis_rad = yaw_rad_of(heading);
+  return leg;
+}
+
 }  // namespace
 
 HallwaySurvey::HallwaySurvey(const HallwaySurveyConfig& config)
@@ -41,10 +48,14 @@ Task<> HallwaySurvey::run() {
     if (!frontier) {
       break;
     }
-    HallwayLeg leg{here_, frontier->exit, std::nullopt, std::nullopt};
+    HallwayLeg leg = leg_by(frontier->exit);
+    leg.from = here_;
     if (!frontier->route.steps.empty()) {
       const RouteStep first = frontier->route.steps.front();
-      leg = {here_, first.exit, first.to, map_.node(first.from).side(first.exit).length_m};
+      leg = leg_by(first.exit);
+      leg.from = here_;
+      leg.to = first.to;
+      leg.length_m = map_.node(first.from).side(first.exit).length_m;
     }
     well = co_await go(leg);
   }
@@ -57,9 +68,8 @@ Task<> HallwaySurvey::run() {
 Task<bool> HallwaySurvey::begin() {
   heading_ = nearest_point(*walk_.tracker().heading_rad());
   for (int i = 0; i < kFirstTries; ++i) {
-    co_await walk_.pilot().turn_to(heading_);
-    HallwayLeg leg;
-    leg.heading = heading_;
+    co_await walk_.pilot().turn_to(yaw_rad_of(heading_));
+    const HallwayLeg leg = leg_by(heading_);
     const HallwayPassage passage = co_await walk_.along(leg, *this);
     if (passage.end == PassageEnd::kArrived) {
       co_await come_to_first(passage);
@@ -79,8 +89,8 @@ Task<> HallwaySurvey::come_to_first(HallwayPassage passage) {
     // A hallway goes through and nothing else: the tag was of the place behind, which it has come from.
     tag_side = heading_;
     heading_ = opposite(heading_);
-    co_await walk_.pilot().turn_to(heading_);
-    walk_.tracker().enter(heading_);
+    co_await walk_.pilot().turn_to(yaw_rad_of(heading_));
+    walk_.tracker().enter(yaw_rad_of(heading_));
     co_await walk_.pilot().advance(2.0 * config_.robot.tag_to_middle_m);
     open = co_await look();
   }
@@ -93,7 +103,7 @@ Task<> HallwaySurvey::come_to_first(HallwayPassage passage) {
 }
 
 Task<bool> HallwaySurvey::go(HallwayLeg leg) {
-  co_await walk_.pilot().turn_to(leg.heading);
+  co_await walk_.pilot().turn_to(leg.axis_rad);
   heading_ = leg.heading;
   say(HallwayEventKind::kLeft, leg.heading);
   new_tag_.reset();
@@ -101,8 +111,7 @@ Task<bool> HallwaySurvey::go(HallwayLeg leg) {
   if (passage.end == PassageEnd::kBlocked && !leg.to && passage.way_m > 2.0 * walk_.tag_to_middle_m()) {
     // Nobody and nothing that went away or could be passed: the end of the hallway, its tag not read.
     passage.end = PassageEnd::kArrived;
-    passage.to_middle_m =
-        walk_.config().stop_m + walk_.config().radius_m - 0.5 * walk_.config().hallway_width_m;
+    passage.to_middle_m = walk_.config().stop_m + walk_.config().radius_m - 0.5 * walk_.tracker().width_m();
     say(HallwayEventKind::kTagMissed, opposite(leg.heading));
   }
   if (passage.end == PassageEnd::kBlocked) {
@@ -110,8 +119,8 @@ Task<bool> HallwaySurvey::go(HallwayLeg leg) {
     blocked_.block(map_, *leg.from, leg.heading);
     const double way_m = passage.way_m;
     heading_ = opposite(leg.heading);
-    co_await walk_.pilot().turn_to(heading_);
-    leg = {std::nullopt, heading_, leg.from, way_m};
+    leg = {std::nullopt, heading_, yaw_rad_of(heading_), leg.from, way_m};
+    co_await walk_.pilot().turn_to(leg.axis_rad);
     passage = co_await walk_.along(leg, *this);
   }
   if (passage.end != PassageEnd::kArrived) {
@@ -165,7 +174,7 @@ Task<HallwaySurvey::OpenSides> HallwaySurvey::look() {
       }
     }
   }
-  const double wall_m = 0.5 * config_.robot.hallway_width_m - config_.robot.sonar_radius_m;
+  const double wall_m = 0.5 * walk_.tracker().width_m() - config_.robot.sonar_radius_m;
   OpenSides open{};
   for (std::size_t i = 0; i < kLook.size(); ++i) {
     std::vector<double>& ranges = seen[i];
@@ -217,7 +226,7 @@ std::optional<HallwayPassage> HallwaySurvey::by_sonar(const HallwayLeg& leg) {
   if (way_m < 1.5 * robot.tag_to_middle_m || !due) {
     return std::nullopt;
   }
-  std::optional<double> to_middle_m = walk_.opening_ahead_m(true, true);
+  std::optional<double> to_middle_m = walk_.opening_ahead_m(true, true, 0.5 * walk_.tracker().width_m());
   if (!to_middle_m && leg.to) {
     to_middle_m = walk_.end_ahead_m();
   }

@@ -28,8 +28,19 @@ constexpr double kSightGain = 0.3;
 constexpr double kBlink_m = 0.10;
 /// Walls are believed while the robot goes along them. Chosen: cosines differ from 1 by 3 %.
 constexpr double kAlong_rad = rad_from_deg(15.0);
-/// Farther than this beyond where the wall should be, there is an opening. Chosen.
-constexpr double kOpening_m = 0.5;
+/// Farther than this beyond where the wall was, there is an opening; what is less deep is a recess. Chosen.
+constexpr double kOpening_m = 1.2;
+/// A first wall is looked for within this: half of the widest hallway that sonars of 5 m see both walls of
+/// from anywhere in it.
+constexpr double kFarthestWall_m = 2.75;
+/// Where it was open for so long, the hallway has become wider on that side, and any wall will do. Chosen:
+/// wider than the hallways that cross.
+constexpr double kWidened_m = 3.5;
+/// Sonars that look forward.
+constexpr std::size_t kForward = 3;
+/// The end of a hallway is flat to this, as the three forward sonars see it. Chosen: 10 degrees askew at half
+/// a metre, and noise.
+constexpr double kFlat_m = 0.15;
 /// Readings without a jump that make a wall, and a wall that the width may be measured by. Chosen: 0.1 and
 /// 0.25 m of way.
 constexpr std::size_t kWall = 3;
@@ -42,27 +53,27 @@ constexpr double kWidthGain = 0.1;
 HallwayTracker::HallwayTracker(const HallwayConfig& config)
     : config_(config), width_m_(config.hallway_width_m) {}
 
-void HallwayTracker::enter(CompassPoint axis) {
-  axis_ = axis;
+void HallwayTracker::enter(double axis_rad) {
+  axis_rad_ = axis_rad;
   way_m_ = 0.0;
-  width_m_ = config_.hallway_width_m;
+  measured_ = false;
   flanks_ = {};
 }
 
-void HallwayTracker::correct(int quarter_turns_right) {
+void HallwayTracker::correct(double left_rad) {
   if (heading_rad_) {
-    heading_rad_ = wrap_angle(*heading_rad_ - 0.5 * kPi * quarter_turns_right);
+    heading_rad_ = wrap_angle(*heading_rad_ + left_rad);
   }
 }
 
 double HallwayTracker::off_axis_rad() const {
-  return wrap_angle(heading_rad_.value_or(0.0) - yaw_rad_of(*axis_));
+  return wrap_angle(heading_rad_.value_or(0.0) - *axis_rad_);
 }
 
 void HallwayTracker::step(const HallwaySensed& sensed) {
   const auto [left_m, right_m] = rolled_m(config_, sensed.counts_left, sensed.counts_right);
   way_m_ += 0.5 * (left_m + right_m);
-  if (axis_ && heading_rad_) {
+  if (axis_rad_ && heading_rad_) {
     const double leftwards_m = 0.5 * (left_m + right_m) * std::sin(off_axis_rad());
     flanks_[0].moved_m += leftwards_m;
     flanks_[1].moved_m -= leftwards_m;
@@ -90,8 +101,11 @@ void HallwayTracker::take_compass(double compass_rad) {
   }
 }
 
-void HallwayTracker::take_ranges(const SonarRanges& ranges_m) {
+void HallwayTracker::take_ahead(const SonarRanges& ranges_m) {
   ahead_m_.reset();
+  double nearest_m = config_.sonar_range_m;
+  double farthest_m = 0.0;
+  std::size_t forward = 0;
   for (std::size_t i = 0; i < kSonars; ++i) {
     // What the robot would touch if it went straight on: in a strip as wide as itself.
     const double bearing_rad = config_.sonar_bearings_rad[i];
@@ -99,26 +113,45 @@ void HallwayTracker::take_ranges(const SonarRanges& ranges_m) {
       continue;
     }
     const double from_middle_m = *ranges_m[i] + config_.sonar_radius_m;
+    nearest_m = std::min(nearest_m, from_middle_m * std::cos(bearing_rad));
+    farthest_m = std::max(farthest_m, from_middle_m * std::cos(bearing_rad));
+    ++forward;
     if (from_middle_m * std::abs(std::sin(bearing_rad)) > config_.radius_m + 0.05) {
       continue;
     }
     const double free_m = from_middle_m * std::cos(bearing_rad) - config_.radius_m;
     ahead_m_ = std::max(0.0, std::min(ahead_m_.value_or(free_m), free_m));
   }
-  if (axis_ && heading_rad_ && std::abs(off_axis_rad()) < kAlong_rad) {
+  wall_ahead_ = forward >= kForward && farthest_m - nearest_m < kFlat_m;
+}
+
+void HallwayTracker::take_ranges(const SonarRanges& ranges_m) {
+  take_ahead(ranges_m);
+  if (axis_rad_ && heading_rad_ && std::abs(off_axis_rad()) < kAlong_rad) {
     take_side(flanks_[0], ranges_m.front());
     take_side(flanks_[1], ranges_m.back());
     take_slope(0);
     take_slope(1);
-    if (flanks_[0].sights > kFirm && flanks_[1].sights > kFirm) {
-      width_m_ += kWidthGain * (*left().distance_m + *right().distance_m - width_m_);
-    }
+    measure_width();
   } else {
     for (Flank& flank : flanks_) {
       flank.wall.distance_m.reset();
       flank.sights = 0;
       flank.seen = 0;
     }
+  }
+}
+
+void HallwayTracker::measure_width() {
+  for (Flank& flank : flanks_) {
+    if (!flank.first_m && flank.sights > kFirm) {
+      flank.first_m = flank.wall.distance_m;
+    }
+  }
+  if (flanks_[0].sights > kFirm && flanks_[1].sights > kFirm) {
+    const double seen_m = *left().distance_m + *right().distance_m;
+    width_m_ += (measured_ ? kWidthGain : 1.0) * (seen_m - width_m_);
+    measured_ = true;
   }
 }
 
@@ -129,6 +162,9 @@ void HallwayTracker::take_side(Flank& flank, const std::optional<double>& range_
     nearest_m = *range_m + config_.sonar_radius_m;
   }
   WallSide& wall = flank.wall;
+  if (wall.last_m) {
+    *wall.last_m -= moved_m;
+  }
   if (!wall.distance_m) {
     if (flank.candidate_m) {
       *flank.candidate_m -= moved_m;
@@ -153,6 +189,7 @@ void HallwayTracker::see_wall(Flank& flank, double distance_m) {
   WallSide& wall = flank.wall;
   wall.distance_m = *wall.distance_m + kSightGain * (distance_m - *wall.distance_m);
   wall.open_for_m = 0.0;
+  wall.last_m = wall.distance_m;
   flank.seen_at_m = way_m_;
   if (flank.sights == flank.trail.size()) {
     std::copy(flank.trail.begin() + 1, flank.trail.end(), flank.trail.begin());
@@ -162,8 +199,10 @@ void HallwayTracker::see_wall(Flank& flank, double distance_m) {
 }
 
 void HallwayTracker::look_for_wall(Flank& flank, const std::optional<double>& nearest_m) {
-  if (!nearest_m || *nearest_m > 0.5 * width_m_ + kOpening_m) {
-    flank.wall.open_for_m = way_m_ - flank.seen_at_m;
+  WallSide& wall = flank.wall;
+  const bool known = wall.last_m && wall.open_for_m < kWidened_m;
+  if (!nearest_m || *nearest_m > (known ? *wall.last_m + kOpening_m : kFarthestWall_m)) {
+    wall.open_for_m = wall.last_m ? way_m_ - flank.seen_at_m : 0.0;
     flank.candidate_m.reset();
     return;
   }
@@ -171,7 +210,7 @@ void HallwayTracker::look_for_wall(Flank& flank, const std::optional<double>& ne
   flank.seen = same ? flank.seen + 1 : 1;
   flank.candidate_m = nearest_m;
   if (flank.seen >= kWall) {
-    flank.wall.distance_m = nearest_m;
+    wall.distance_m = nearest_m;
     flank.candidate_m.reset();
     see_wall(flank, *nearest_m);
   }
@@ -210,13 +249,30 @@ std::optional<double> HallwayTracker::left_of_middle_m() const {
   if (to_left_m && to_right_m) {
     return 0.5 * (*to_right_m - *to_left_m);
   }
+  // Half of a hallway whose other wall nobody has seen is as wide as the robot is off this one.
   if (to_left_m) {
-    return 0.5 * width_m_ - *to_left_m;
+    return (measured_ ? 0.5 * width_m_ : flanks_[0].first_m.value_or(*to_left_m)) - *to_left_m;
   }
   if (to_right_m) {
-    return *to_right_m - 0.5 * width_m_;
+    return *to_right_m - (measured_ ? 0.5 * width_m_ : flanks_[1].first_m.value_or(*to_right_m));
   }
   return std::nullopt;
+}
+
+std::optional<double> HallwayTracker::left_of_line_m() const {
+  const double off_m = std::min(config_.wall_m, 0.5 * width_m_);
+  if (config_.follow == HallwayLine::kLeft && left().distance_m) {
+    return off_m - *left().distance_m;
+  }
+  if (config_.follow == HallwayLine::kRight && right().distance_m) {
+    return *right().distance_m - off_m;
+  }
+  const std::optional<double> left_m = left_of_middle_m();
+  if (!left_m || config_.follow == HallwayLine::kMiddle || !measured_) {
+    return left_m;
+  }
+  const double aside_m = 0.5 * width_m_ - off_m;
+  return *left_m + (config_.follow == HallwayLine::kLeft ? -aside_m : aside_m);
 }
 
 }  // namespace sensotwin::robot

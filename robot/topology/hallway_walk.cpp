@@ -23,12 +23,15 @@ void HallwayWalk::take(const HallwaySensed& sensed) {
 }
 
 Task<HallwayPassage> HallwayWalk::along(HallwayLeg leg, PlaceWatcher& watcher) {
-  tracker_.enter(leg.heading);
+  tracker_.enter(leg.axis_rad);
   tag_.reset();
-  const double longest_m =
-      leg.length_m ? *leg.length_m * (1.0 + config_.length_slack) + config_.overshoot_m : config_.longest_m;
+  // Of the leg as it stands: a tag may set it right.
+  const auto longest_m = [&] {
+    return leg.length_m ? *leg.length_m * (1.0 + config_.length_slack) + config_.overshoot_m
+                        : config_.longest_m;
+  };
   HallwayPassage passage;
-  while (tracker_.way_m() < longest_m) {
+  while (tracker_.way_m() < longest_m()) {
     pilot_.follow(config_.speed_mps);
     co_await step_.next;
     const std::optional<TagNumber> tag = std::exchange(tag_, std::nullopt);
@@ -76,22 +79,24 @@ Task<bool> HallwayWalk::past_obstacle() {
   co_return false;
 }
 
-std::optional<double> HallwayWalk::opening_ahead_m(bool left, bool right) const {
-  const double open_m =
-      std::max(left ? tracker_.left().open_for_m : 0.0, right ? tracker_.right().open_for_m : 0.0);
-  if (open_m <= config_.opening_m) {
+std::optional<double> HallwayWalk::opening_ahead_m(bool left, bool right, double edge_to_middle_m) const {
+  const WallSide none;
+  const WallSide& on_left = left ? tracker_.left() : none;
+  const WallSide& on_right = right ? tracker_.right() : none;
+  const WallSide& wider = on_left.open_for_m > on_right.open_for_m ? on_left : on_right;
+  if (wider.open_for_m <= config_.opening_m) {
     return std::nullopt;
   }
   // The edge was seen for so long after it had been passed.
-  const double since_edge_m = open_m + kConeTangent * 0.5 * tracker_.width_m();
-  return std::max(0.0, 0.5 * config_.hallway_width_m - since_edge_m);
+  const double since_edge_m = wider.open_for_m + kConeTangent * wider.last_m.value_or(0.0);
+  return std::max(0.0, edge_to_middle_m - since_edge_m);
 }
 
 std::optional<double> HallwayWalk::end_ahead_m() const {
-  if (!pilot_.in_the_way() || pilot_.bumped()) {
+  if (!pilot_.in_the_way() || pilot_.bumped() || !tracker_.wall_ahead()) {
     return std::nullopt;
   }
-  return std::max(0.0, tracker_.ahead_m().value_or(0.0) + config_.radius_m - 0.5 * config_.hallway_width_m);
+  return std::max(0.0, tracker_.ahead_m().value_or(0.0) + config_.radius_m - 0.5 * tracker_.width_m());
 }
 
 void HallwayWalk::say(HallwayEventKind kind, std::string place, std::optional<CompassPoint> side,

@@ -15,8 +15,9 @@ namespace sensotwin::robot {
 struct HallwayLeg {
   std::optional<NodeIndex> from{};  ///< place behind
   CompassPoint heading{CompassPoint::kNorth};
-  std::optional<NodeIndex> to{};     ///< place ahead, where the map knows it
-  std::optional<double> length_m{};  ///< from middle to middle
+  double axis_rad{yaw_rad_of(CompassPoint::kNorth)};  ///< its direction, from the plan's north
+  std::optional<NodeIndex> to{};                      ///< place ahead, where the map knows it
+  std::optional<double> length_m{};                   ///< from middle to middle
 };
 
 enum class PassageEnd : std::uint8_t { kArrived, kBlocked, kLost };
@@ -86,8 +87,8 @@ class HallwayWalk {
   /// From where a tag is read on coming to a place to the middle of that.
   [[nodiscard]] double tag_to_middle_m() const { return config_.tag_to_middle_m + config_.tag_reach_m; }
   /// How far it is to the middle of a hallway that crosses or joins on one of these sides, once enough of it
-  /// is seen to be no doorway.
-  [[nodiscard]] std::optional<double> opening_ahead_m(bool left, bool right) const;
+  /// is seen to be no doorway. \param edge_to_middle_m  half the width of that hallway
+  [[nodiscard]] std::optional<double> opening_ahead_m(bool left, bool right, double edge_to_middle_m) const;
   /// The same of a hallway that ends at the wall ahead.
   [[nodiscard]] std::optional<double> end_ahead_m() const;
   /// Adds an event of this step. \param place  name; empty where none is known

@@ -4,7 +4,7 @@
 #include <string>
 
 #include "robot/base/geometry.hpp"
-#include "robot/drivers/compass.hpp"
+#include "robot/drivers/sensor_board.hpp"
 #include "robot/wire/nmea.hpp"
 #include "robot/wire/nmea_distances.hpp"
 #include "tests/fuzz/fuzzers.hpp"
@@ -121,15 +121,15 @@ void as_body(ByteView input) {
 
 void driver(ByteView input, std::size_t piece) {
   ScriptedLink link;
-  robot::Compass compass{link};
+  robot::SensorBoard board{link};
   robot::Instant now{};
   for (Script script{input}; !script.empty(); now += robot::kTick) {
     link.say(script.bytes(piece));
-    compass.step(now);
-    require(!compass.reading() || std::abs(compass.reading()->yaw_from_north_rad) <= robot::kPi,
+    board.step(now);
+    require(!board.compass() || std::abs(board.compass()->yaw_from_north_rad) <= robot::kPi,
             "a reading is an angle");
   }
-  require(link.heard().empty(), "nothing is said to a compass");
+  require(link.heard().empty(), "nothing is said to a sensor board");
 }
 
 }  // namespace

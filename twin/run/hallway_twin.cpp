@@ -22,7 +22,7 @@ robot::RobotSettings hallway_settings_of(const Scene& scene) {
 
 HallwayTwin::HallwayTwin(const Scene& scene, const Rewiring& rewire)
     : machine_(scene, robot::RandomStream(scene.seed)),
-      program_(rewired({machine_.serial(), machine_.floor_reader(), machine_.compass()}, rewire),
+      program_(rewired({machine_.serial(), machine_.floor_reader(), machine_.sensor_board()}, rewire),
                robot::hallway_config_of(hallway_settings_of(scene))) {}
 
 void HallwayTwin::tick() {

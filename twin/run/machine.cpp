@@ -48,7 +48,7 @@ Machine::Machine(const Scene& scene, const robot::RandomStream& random)
       roomba_(mainboard_of(scene)),
       serial_(roomba_),
       floor_reader_(card_reader_settings(scene.robot.floor_reader), random.fork("floor reader")),
-      compass_(scene.robot.compass) {}
+      sensor_board_(scene.robot.compass) {}
 
 world::RobotMotion Machine::tick_world() {
   world::RobotMotion motion{.begin_s = robot::to_s(now_), .X_WR_begin = world_.X_WR()};
@@ -64,10 +64,10 @@ void Machine::tick_devices() {
   outputs_ = roomba_.tick(inputs_);
   const auto floor_tag = world_.floor_tag();
   floor_reader_.step(now_, floor_tag ? &world_.tag_memory(*floor_tag) : nullptr);
-  if (compass_.is_due(now_)) {
+  if (sensor_board_.is_due(now_)) {
     // The world's compass counts clockwise, as a compass card does.
     const double yaw_rad = -world_.compass_heading_rad();
-    compass_.step(now_, yaw_rad, world_.sonar_ranges_m());
+    sensor_board_.step(now_, yaw_rad, world_.sonar_ranges_m());
   }
 }
 

@@ -5,8 +5,8 @@
 #include "robot/base/time.hpp"
 #include "robot/settings/robot_settings.hpp"
 #include "twin/devices/emulated_card_reader.hpp"
-#include "twin/devices/emulated_compass_board.hpp"
 #include "twin/devices/emulated_roomba.hpp"
+#include "twin/devices/emulated_sensor_board.hpp"
 #include "twin/output/state_hash.hpp"
 #include "twin/scene/scene.hpp"
 #include "world/radio/radio.hpp"
@@ -15,7 +15,8 @@
 namespace sensotwin::twin {
 
 /// What every twin has, whatever its mission: the world, and in it the emulated Roomba, the floor antenna and
-/// the compass, with the ends of their wires. Neither copies nor moves: the serial line refers to the Roomba.
+/// the sensor board, with the ends of their wires. Neither copies nor moves: the serial line refers to the
+/// Roomba.
 class Machine {
  public:
   /// \param random  the run's; everything here forks from it by name
@@ -40,7 +41,7 @@ class Machine {
   [[nodiscard]] EmulatedRoomba& roomba() { return roomba_; }
   [[nodiscard]] robot::ByteLink& serial() { return serial_; }
   [[nodiscard]] robot::CardLink& floor_reader() { return floor_reader_; }
-  [[nodiscard]] robot::ByteLink& compass() { return compass_; }
+  [[nodiscard]] robot::ByteLink& sensor_board() { return sensor_board_; }
 
  private:
   world::World world_;
@@ -49,7 +50,7 @@ class Machine {
   EmulatedRoomba roomba_;
   EmulatedSerial serial_;
   EmulatedCardReader floor_reader_;
-  EmulatedCompassBoard compass_;
+  EmulatedSensorBoard sensor_board_;
   robot::Instant now_;
   StateHash hash_;
 };

@@ -33,7 +33,8 @@ MappingTwin::MappingTwin(const Scene& scene, const Rewiring& rewire)
       machine_(scene, random_),
       forward_reader_(card_reader_settings(scene.robot.forward_reader), random_.fork("forward reader")),
       program_(
-          rewired({machine_.serial(), machine_.floor_reader(), forward_reader_, machine_.compass()}, rewire),
+          rewired({machine_.serial(), machine_.floor_reader(), forward_reader_, machine_.sensor_board()},
+                  rewire),
           mapping_config_of(scene, map_id_),
           robot::make_explorer(scene.mission.map->explorer, robot::move_cost_of(robot_settings_of(scene)))) {}
 

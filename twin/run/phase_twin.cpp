@@ -23,10 +23,10 @@ PhaseTwin::PhaseTwin(const Scene& scene, const Rewiring& rewire, const Retelling
     : random_(scene.seed),
       machine_(scene, random_),
       ceiling_(scene, random_),
-      program_(
-          rewired({machine_.serial(), ceiling_.reader().link(), machine_.floor_reader(), machine_.compass()},
-                  rewire),
-          told(phase_config_of(scene, ceiling_.world()), retell)) {}
+      program_(rewired({machine_.serial(), ceiling_.reader().link(), machine_.floor_reader(),
+                        machine_.sensor_board()},
+                       rewire),
+               told(phase_config_of(scene, ceiling_.world()), retell)) {}
 
 void PhaseTwin::tick() {
   tick_world();

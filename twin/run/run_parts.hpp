@@ -27,8 +27,8 @@ template <class Program>
     links.card_exchanges += reader->health().exchanges;
     links.card_exchanges_failed += reader->health().removed + reader->health().timeouts;
   }
-  links.compass_sentences = program.compass().health().headings;
-  links.compass_sentences_corrupt = program.compass().health().bad_checksum;
+  links.compass_sentences = program.sensor_board().health().headings;
+  links.compass_sentences_corrupt = program.sensor_board().health().bad_checksum;
   return links;
 }
 

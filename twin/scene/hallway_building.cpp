@@ -38,20 +38,6 @@ std::vector<Strip> strips_of(const robot::HallwayFile& hallways) {
 
 }  // namespace
 
-Vec2 towards(CompassPoint point) {
-  switch (point) {
-    case CompassPoint::kNorth:
-      return {0.0, 1.0};
-    case CompassPoint::kEast:
-      return {1.0, 0.0};
-    case CompassPoint::kSouth:
-      return {0.0, -1.0};
-    case CompassPoint::kWest:
-      break;
-  }
-  return {-1.0, 0.0};
-}
-
 OccupancyMap floor_of(const robot::HallwayFile& hallways) {
   const std::vector<Strip> strips = strips_of(hallways);
   Vec2 low_m{std::numeric_limits<double>::max(), std::numeric_limits<double>::max()};
@@ -85,7 +71,9 @@ std::vector<world::HallwayTag> tags_of(const robot::HallwayFile& hallways) {
   for (const robot::HallwayNode& node : hallways.map.nodes()) {
     for (const CompassPoint point : robot::kCompassPoints) {
       for (const robot::TagNumber tag : node.side(point).tags) {
-        tags.push_back({tag, *node.at_m + hallways.tag_to_middle_m * towards(point)});
+        const double yaw_rad = node.bearing_rad(point) + 0.5 * robot::kPi;
+        const double away_m = node.side(point).tag_m.value_or(hallways.tag_to_middle_m);
+        tags.push_back({tag, *node.at_m + away_m * Vec2{std::cos(yaw_rad), std::sin(yaw_rad)}});
       }
     }
   }

@@ -18,7 +18,4 @@ namespace sensotwin::twin {
 /// the plan turned so that its north is +y. \pre each place with a tag has a position
 [[nodiscard]] std::vector<world::HallwayTag> tags_of(const robot::HallwayFile& hallways);
 
-/// A step of 1 m towards a compass point, in W.
-[[nodiscard]] robot::Vec2 towards(robot::CompassPoint point);
-
 }  // namespace sensotwin::twin

@@ -46,7 +46,7 @@ void ServedWires::open_terminals(const WireSettings& settings, const std::filesy
 
   TerminalWireOptions nmea;
   nmea.baud = kSensorBaud;
-  auto sensors = std::make_unique<TerminalWire>("sensors", folder / "sensors", twin_.machine().compass(),
+  auto sensors = std::make_unique<TerminalWire>("sensors", folder / "sensors", twin_.machine().sensor_board(),
                                                 std::move(nmea));
   devices_.sensors = sensors->terminal().link();
   wires_.push_back(std::move(sensors));

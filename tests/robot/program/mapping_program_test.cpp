@@ -164,7 +164,7 @@ TEST_F(MappingProgramOnWires, MapsWithoutAWordFromTheCompass) {
   compass_talks_ = false;
   ASSERT_TRUE(run());
   expect_whole_map();
-  EXPECT_FALSE(program_.compass().reading().has_value());
+  EXPECT_FALSE(program_.sensor_board().compass().has_value());
 }
 
 TEST_F(MappingProgramOnWires, MapsWhenTheCompassFallsSilentOnTheWay) {
@@ -172,7 +172,7 @@ TEST_F(MappingProgramOnWires, MapsWhenTheCompassFallsSilentOnTheWay) {
   compass_talks_ = false;
   ASSERT_TRUE(run());
   expect_whole_map();
-  EXPECT_EQ(program_.compass().health().went_stale, 1u);
+  EXPECT_EQ(program_.sensor_board().health().went_stale, 1u);
 }
 
 TEST_F(MappingProgramOnWires, LeavesAHomeBaseInFullModeAndIsSafeAgainAfterwards) {

@@ -11,13 +11,13 @@
 
 #include "faulty_link.hpp"
 #include "robot/base/geometry.hpp"
-#include "robot/drivers/compass.hpp"
+#include "robot/drivers/sensor_board.hpp"
 #include "robot/drivers/roomba.hpp"
 #include "robot/drivers/uhf_reader.hpp"
 #include "robot/hal/no_device.hpp"
 #include "robot/program/mode_keeper.hpp"
 #include "tests/twin/devices/roomba_bench.hpp"
-#include "twin/devices/emulated_compass_board.hpp"
+#include "twin/devices/emulated_sensor_board.hpp"
 #include "twin/devices/emulated_uhf_reader.hpp"
 
 namespace sensotwin::twin {
@@ -170,16 +170,16 @@ class CompassOverFaultyWire : public ::testing::Test {
       board_.step(now_, kYaw_rad);
       driver_.step(now_);
       ++steps_;
-      known_ += driver_.reading() ? 1 : 0;
+      known_ += driver_.compass() ? 1 : 0;
       wrong_ +=
-          driver_.reading() && std::abs(driver_.reading()->yaw_from_north_rad - kYaw_rad) > 1e-9 ? 1 : 0;
+          driver_.compass() && std::abs(driver_.compass()->yaw_from_north_rad - kYaw_rad) > 1e-9 ? 1 : 0;
     }
   }
   static inline const double kYaw_rad = robot::yaw_rad_from_heading_deg(100.0);
 
-  EmulatedCompassBoard board_{{}};
+  EmulatedSensorBoard board_{{}};
   FaultyLink wire_{board_};
-  robot::Compass driver_{wire_};
+  robot::SensorBoard driver_{wire_};
   robot::Instant now_;
   int steps_{0};
   int known_{0};
@@ -228,10 +228,10 @@ TEST_F(CompassOverFaultyWire, PulledOutHasNoReadingAfterHalfASecondAndOneAgainWh
   run(1.0);
   board_.unplug();
   run(0.6);
-  EXPECT_FALSE(driver_.reading());
+  EXPECT_FALSE(driver_.compass());
   board_.replug();
   run(0.2);
-  EXPECT_TRUE(driver_.reading());
+  EXPECT_TRUE(driver_.compass());
   EXPECT_EQ(driver_.health().link_lost, 1u);
 }
 
@@ -242,8 +242,8 @@ TEST_F(CompassOverFaultyWire, AfterTenMegabytesOfNoiseHasAReadingWithinASecond) 
     run(0.3);
   }
   run(1.0);
-  ASSERT_TRUE(driver_.reading());
-  EXPECT_NEAR(driver_.reading()->yaw_from_north_rad, kYaw_rad, 1e-9);
+  ASSERT_TRUE(driver_.compass());
+  EXPECT_NEAR(driver_.compass()->yaw_from_north_rad, kYaw_rad, 1e-9);
 }
 
 /// A UHF reader before which a tag lies and answers every 15 ms.

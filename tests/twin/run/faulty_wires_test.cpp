@@ -171,7 +171,7 @@ TEST(FaultyWires, ThatSpoilAFifthOfTheCardExchangesCostNoTile) {
 TEST(FaultyWires, ThatGarbleTheCompassAreCountedAndCostNoTile) {
   FaultyLesson lesson({.compass = {.flip_in = 5e-3}});
   lesson.run_until(900.0);
-  EXPECT_GT(lesson.twin().program().compass().health().bad_checksum, 0);
+  EXPECT_GT(lesson.twin().program().sensor_board().health().bad_checksum, 0);
   EXPECT_EQ(lesson.verdict().mapped, 16);
   EXPECT_EQ(lesson.verdict().wrong, 0);
 }

@@ -25,7 +25,7 @@ TEST(ServedTwinTest, IsTheVeryWorldOfATwinRun) {
   MappingTwin run(scene);
   ServedTwin served(scene);
   robot::MappingProgram program({served.machine().serial(), served.machine().floor_reader(),
-                                 served.forward_reader(), served.machine().compass()},
+                                 served.forward_reader(), served.machine().sensor_board()},
                                 mapping_config_of(scene, run.map_id()),
                                 robot::make_explorer(scene.mission.map->explorer, {}));
   for (int i = 0; i < 2000; ++i) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "robot/drivers/compass.hpp"
+#include "robot/drivers/sensor_board.hpp"
 
 #include <array>
 #include <cassert>
@@ -14,7 +14,7 @@ constexpr int kChunksPerStep = 4;
 
 }  // namespace
 
-void Compass::step(Instant now) {
+void SensorBoard::step(Instant now) {
   assert(now >= now_);
   now_ = now;
   const bool up = link_.is_up();
@@ -33,10 +33,10 @@ void Compass::step(Instant now) {
       break;
     }
   }
-  if (reading_) {
-    reading_->age = now - reading_->stamp;
-    if (reading_->age > config_.stale_after) {
-      reading_.reset();
+  if (compass_) {
+    compass_->age = now - compass_->stamp;
+    if (compass_->age > config_.stale_after) {
+      compass_.reset();
       ++health_.went_stale;
     }
   }
@@ -46,7 +46,7 @@ void Compass::step(Instant now) {
   }
 }
 
-void Compass::take(std::uint8_t byte) {
+void SensorBoard::take(std::uint8_t byte) {
   const auto sentence = decoder_.push(byte);
   if (!sentence) {
     return;
@@ -60,7 +60,7 @@ void Compass::take(std::uint8_t byte) {
   }
 }
 
-void Compass::take(const NmeaSentence& sentence) {
+void SensorBoard::take(const NmeaSentence& sentence) {
   if (const auto distances = decode_distances(sentence)) {
     take(*distances);
     return;
@@ -92,10 +92,10 @@ void Compass::take(const NmeaSentence& sentence) {
     return;
   }
   ++health_.headings;
-  reading_ = CompassReading{yaw_rad_from_heading_deg(magnetic_deg), now_, {}};
+  compass_ = CompassReading{yaw_rad_from_heading_deg(magnetic_deg), now_, {}};
 }
 
-void Compass::take(const Distances& distances) {
+void SensorBoard::take(const Distances& distances) {
   if (distances.count == 0) {
     ++health_.other;
     return;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "twin/devices/emulated_compass_board.hpp"
+#include "twin/devices/emulated_sensor_board.hpp"
 
 #include <gtest/gtest.h>
 
@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "robot/base/geometry.hpp"
-#include "robot/drivers/compass.hpp"
+#include "robot/drivers/sensor_board.hpp"
 #include "tests/robot/drivers/compass_transcript.hpp"
 
 namespace sensotwin::twin {
@@ -24,8 +24,8 @@ std::string heard(robot::ByteLink& link) {
   return {bytes.begin(), bytes.begin() + static_cast<std::ptrdiff_t>(n)};
 }
 
-TEST(EmulatedCompassBoard, SaysTheSentencesThatTheDriverIsTestedWith) {
-  EmulatedCompassBoard board{{}};
+TEST(EmulatedSensorBoard, SaysTheSentencesThatTheDriverIsTestedWith) {
+  EmulatedSensorBoard board{{}};
   Instant now{};
   for (const auto& line : testing::kCompassLines) {
     now += std::chrono::milliseconds{100};
@@ -34,8 +34,8 @@ TEST(EmulatedCompassBoard, SaysTheSentencesThatTheDriverIsTestedWith) {
   }
 }
 
-TEST(EmulatedCompassBoard, SpeaksEverySixOrSevenTicksAndTenTimesASecond) {
-  EmulatedCompassBoard board{{}};
+TEST(EmulatedSensorBoard, SpeaksEverySixOrSevenTicksAndTenTimesASecond) {
+  EmulatedSensorBoard board{{}};
   Instant now{};
   std::vector<int> spoke;
   for (int tick = 1; tick <= 6'667; ++tick) {  // 100.005 s
@@ -52,16 +52,16 @@ TEST(EmulatedCompassBoard, SpeaksEverySixOrSevenTicksAndTenTimesASecond) {
   }
 }
 
-TEST(EmulatedCompassBoard, SpeaksOnceAfterALongStep) {
-  EmulatedCompassBoard board{{}};
+TEST(EmulatedSensorBoard, SpeaksOnceAfterALongStep) {
+  EmulatedSensorBoard board{{}};
   board.step(Instant{std::chrono::seconds{3}}, 0.0);
   EXPECT_EQ(heard(board), testing::kCompassLines[0].sentence);
   board.step(Instant{std::chrono::milliseconds{3'090}}, 0.0);
   EXPECT_EQ(heard(board), "");
 }
 
-TEST(EmulatedCompassBoard, KeepsTheLatestSentencesForWhoDoesNotRead) {
-  EmulatedCompassBoard board{{}};
+TEST(EmulatedSensorBoard, KeepsTheLatestSentencesForWhoDoesNotRead) {
+  EmulatedSensorBoard board{{}};
   Instant now{};
   for (int i = 0; i < 100; ++i) {
     now += std::chrono::milliseconds{100};
@@ -72,8 +72,8 @@ TEST(EmulatedCompassBoard, KeepsTheLatestSentencesForWhoDoesNotRead) {
   EXPECT_TRUE(text.ends_with(testing::kCompassLines[2].sentence));
 }
 
-TEST(EmulatedCompassBoard, IsSilentWhileUnplugged) {
-  EmulatedCompassBoard board{{}};
+TEST(EmulatedSensorBoard, IsSilentWhileUnplugged) {
+  EmulatedSensorBoard board{{}};
   board.step(Instant{std::chrono::milliseconds{100}}, 0.0);
   board.unplug();
   EXPECT_FALSE(board.is_up());
@@ -85,17 +85,17 @@ TEST(EmulatedCompassBoard, IsSilentWhileUnplugged) {
 }
 
 // The sentence's one decimal rounds by at most 0.05 degrees, and that is all that is lost on the way.
-TEST(EmulatedCompassBoard, IsUnderstoodByTheDriverToATwentiethOfADegree) {
-  EmulatedCompassBoard board{{}};
-  robot::Compass driver{board};
+TEST(EmulatedSensorBoard, IsUnderstoodByTheDriverToATwentiethOfADegree) {
+  EmulatedSensorBoard board{{}};
+  robot::SensorBoard driver{board};
   Instant now{};
   for (int i = 0; i < 2'000; ++i) {
     const double yaw_rad = robot::wrap_angle(0.0123 * i);
     now += std::chrono::milliseconds{100};
     board.step(now, yaw_rad);
     driver.step(now);
-    ASSERT_TRUE(driver.reading());
-    EXPECT_LE(std::abs(robot::wrap_angle(driver.reading()->yaw_from_north_rad - yaw_rad)),
+    ASSERT_TRUE(driver.compass());
+    EXPECT_LE(std::abs(robot::wrap_angle(driver.compass()->yaw_from_north_rad - yaw_rad)),
               robot::rad_from_deg(0.05) + 1e-12);
   }
   EXPECT_EQ(driver.health().headings, 2'000u);

@@ -12,7 +12,7 @@
 
 namespace sensotwin::robot {
 
-struct CompassConfig {
+struct SensorBoardConfig {
   /// A reading older than this is no longer given. Chosen: five sentences missed at 10 Hz.
   Duration stale_after{std::chrono::milliseconds{500}};
   /// The rangefinder whose distance ends a round; the paper's robot has seven (Tsukiyama, section 4).
@@ -36,7 +36,7 @@ struct SonarRound {
 };
 
 /// Counters since construction.
-struct CompassHealth {
+struct SensorBoardHealth {
   std::uint32_t headings{0};  ///< magnetic headings taken (HDM, HDG)
   std::uint32_t bad_checksum{0};
   std::uint32_t bad_frame{0};    ///< every other NmeaError
@@ -45,23 +45,23 @@ struct CompassHealth {
   std::uint32_t sonar_rounds{0};
   std::uint32_t bad_distances{0};  ///< whole sentence of distances, but not to be understood
   std::uint32_t other{0};       ///< sound sentences of other kinds (HDT: true north is not what we ask for)
-  std::uint32_t went_stale{0};  ///< times the reading grew too old
+  std::uint32_t went_stale{0};  ///< times a reading or a round grew too old
   std::uint32_t link_lost{0};
 };
 
-/// A compass that talks NMEA 0183, and the rangefinders on its board, if it has any.
-class Compass {
+/// A board that talks NMEA 0183: a compass, and rangefinders where it has any.
+class SensorBoard {
  public:
-  /// `link` has to outlive the compass.
-  explicit Compass(ByteLink& link, CompassConfig config = {}) : link_(link), config_(config) {}
+  /// `link` has to outlive the board.
+  explicit SensorBoard(ByteLink& link, SensorBoardConfig config = {}) : link_(link), config_(config) {}
 
   /// Takes what has arrived; every 15 ms. \param now  never earlier than before
   void step(Instant now);
   /// The last heading; nothing before the first, and when it is stale.
-  [[nodiscard]] const std::optional<CompassReading>& reading() const { return reading_; }
+  [[nodiscard]] const std::optional<CompassReading>& compass() const { return compass_; }
   /// The last round; nothing before the first, and when it is stale.
   [[nodiscard]] const std::optional<SonarRound>& sonars() const { return sonars_; }
-  [[nodiscard]] const CompassHealth& health() const { return health_; }
+  [[nodiscard]] const SensorBoardHealth& health() const { return health_; }
 
  private:
   void take(std::uint8_t byte);
@@ -69,15 +69,15 @@ class Compass {
   void take(const Distances& distances);
 
   ByteLink& link_;
-  CompassConfig config_;
+  SensorBoardConfig config_;
   NmeaDecoder decoder_;
   Instant now_{};
-  std::optional<CompassReading> reading_;
+  std::optional<CompassReading> compass_;
   std::array<std::optional<double>, kSonarNames> range_m_{};
   std::array<Instant, kSonarNames> ranged_at_{};
   std::optional<SonarRound> sonars_;
   bool was_up_{true};
-  CompassHealth health_;
+  SensorBoardHealth health_;
 };
 
 }  // namespace sensotwin::robot

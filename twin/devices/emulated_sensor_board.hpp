@@ -16,9 +16,9 @@ namespace sensotwin::twin {
 /// sentences, at a fixed rate, at instants k / rate of virtual time (k = 1, 2 ...), whatever the length of
 /// the steps. It rounds to the tenth of a degree of its sentence, and to nothing else. Leaves out: the time
 /// the sentence spends on the wire (18 bytes, 37 ms at 4800 baud, 5 ms at 38400).
-class EmulatedCompassBoard final : public robot::ByteLink {
+class EmulatedSensorBoard final : public robot::ByteLink {
  public:
-  explicit EmulatedCompassBoard(const world::CompassDescription& description);
+  explicit EmulatedSensorBoard(const world::CompassDescription& description);
 
   /// Time goes on to `now`. When a sentence has fallen due since the last step, one is sent.
   /// \param now  never earlier than before

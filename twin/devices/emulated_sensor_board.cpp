@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "twin/devices/emulated_compass_board.hpp"
+#include "twin/devices/emulated_sensor_board.hpp"
 
 #include <algorithm>
 #include <cassert>
@@ -10,18 +10,18 @@
 
 namespace sensotwin::twin {
 
-EmulatedCompassBoard::EmulatedCompassBoard(const world::CompassDescription& description)
+EmulatedSensorBoard::EmulatedSensorBoard(const world::CompassDescription& description)
     : rate_hz_(description.rate_hz), due_(due()) {
   assert(rate_hz_ > 0.0);
 }
 
-robot::Instant EmulatedCompassBoard::due() const {
+robot::Instant EmulatedSensorBoard::due() const {
   // From the count, not by adding periods: rounding does not pile up.
   return robot::Instant{robot::from_s(static_cast<double>(sentences_ + 1) / rate_hz_)};
 }
 
-void EmulatedCompassBoard::step(robot::Instant now, double yaw_from_north_rad,
-                                std::span<const std::optional<double>> ranges_m) {
+void EmulatedSensorBoard::step(robot::Instant now, double yaw_from_north_rad,
+                               std::span<const std::optional<double>> ranges_m) {
   if (now < due_) {
     return;
   }
@@ -36,7 +36,7 @@ void EmulatedCompassBoard::step(robot::Instant now, double yaw_from_north_rad,
   say_distances(ranges_m);
 }
 
-void EmulatedCompassBoard::say_distances(std::span<const std::optional<double>> ranges_m) {
+void EmulatedSensorBoard::say_distances(std::span<const std::optional<double>> ranges_m) {
   std::vector<robot::Distance> said;
   for (std::size_t i = 0; i < ranges_m.size(); ++i) {
     said.push_back({static_cast<std::uint8_t>(i), ranges_m[i]});
@@ -47,7 +47,7 @@ void EmulatedCompassBoard::say_distances(std::span<const std::optional<double>> 
   }
 }
 
-void EmulatedCompassBoard::say(robot::ByteView sentence) {
+void EmulatedSensorBoard::say(robot::ByteView sentence) {
   for (const std::uint8_t byte : sentence) {
     buffer_[(first_ + size_) % kBufferBytes] = byte;
     if (size_ == kBufferBytes) {
@@ -58,16 +58,16 @@ void EmulatedCompassBoard::say(robot::ByteView sentence) {
   }
 }
 
-void EmulatedCompassBoard::unplug() {
+void EmulatedSensorBoard::unplug() {
   plugged_ = false;
   size_ = 0;
 }
 
-bool EmulatedCompassBoard::do_write(robot::ByteView /*bytes*/) {
+bool EmulatedSensorBoard::do_write(robot::ByteView /*bytes*/) {
   return plugged_;  // the board takes no commands
 }
 
-std::size_t EmulatedCompassBoard::do_read(std::span<std::uint8_t> into) {
+std::size_t EmulatedSensorBoard::do_read(std::span<std::uint8_t> into) {
   const std::size_t n = std::min(into.size(), size_);
   for (std::size_t i = 0; i < n; ++i) {
     into[i] = buffer_[(first_ + i) % kBufferBytes];

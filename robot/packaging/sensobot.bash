@@ -11,7 +11,7 @@ _sensobot() {
   esac
   case $command in
     '') mapfile -t COMPREPLY < <(compgen -W 'calibrate check run replay show --help --version' -- "$word") && return ;;
-    run) options='--devices --out --force --journal --no-journal --rate --wait --patience --json --quiet --help' ;;
+    run) options='--devices --out --force --journal --no-journal --monitor --rate --wait --patience --json --quiet --help' ;;
     check) options='--devices --seconds --json --help' ;;
     calibrate) options='--devices --turns --tags --rate --json --help' ;;
     show) options='--devices --help' ;;

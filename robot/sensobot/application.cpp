@@ -8,6 +8,8 @@
 #include "robot/cli/help_formatter.hpp"
 #include "robot/config/problem.hpp"
 #include "robot/output/output_error.hpp"
+#include "robot/telemetry/web/web_address.hpp"
+#include "robot/telemetry/web/web_error.hpp"
 
 namespace sensotwin::robot {
 namespace {
@@ -35,6 +37,16 @@ void add_run(CLI::App& app, RunCommandOptions& options) {
          "Write all bytes of all wires here (default DIR/journal)")
       ->option_text("FILE");
   app.add_flag("--no-journal", options.no_journal, "Write no journal");
+  app.add_option_function<std::vector<std::string>>(
+         "--monitor",
+         [&options](const std::vector<std::string>& given) {
+           options.monitor = given.empty() ? "" : given.front();
+         },
+         "Serve a page that draws what happens (127.0.0.1:8420, else any free port); a token is asked for "
+         "when it is reached from other machines")
+      ->option_text("[HOST:PORT]")
+      ->expected(0, 1)
+      ->check(complaint_about_web_address);
   app.add_option("--rate", options.rate, "Seconds of the robot in one of the clock: the --rtf of twin serve")
       ->option_text("X")
       ->check(CLI::Range(0.01, 1000.0));
@@ -83,6 +95,8 @@ struct Commands {
     sub->footer(
         "sensobot run robot.yaml\n"
         "sensobot run robot.yaml --out runs/kitchen --patience 20\n"
+        "sensobot run robot.yaml --monitor 0.0.0.0:8420    # seen from a phone, with the token that is "
+        "printed\n"
         "sensobot run robot.yaml --devices served/devices.yaml --rate 4    # behind twin serve --rtf 4");
     add_run(*sub, run);
     sub = app.add_subcommand("check", "test every device, moving nothing, and print what was found");
@@ -129,6 +143,9 @@ ExitCode obey_guarded(const Commands& commands, const std::string& command,
   } catch (const OutputError& error) {
     environment.err << "error: " << error.what() << '\n';
     return error.exit_code();
+  } catch (const WebError& error) {
+    environment.err << "error: " << error.what() << '\n';
+    return ExitCode::kUnavailable;
   } catch (const std::exception& error) {
     environment.err << "error: internal: " << error.what() << '\n';
     return ExitCode::kInternal;

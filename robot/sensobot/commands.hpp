@@ -28,6 +28,7 @@ struct RunCommandOptions {
   bool force{false};
   std::optional<std::filesystem::path> journal{};  ///< none: in the run's folder
   bool no_journal{false};
+  std::optional<std::string> monitor{};  ///< host:port of a page, empty: where there is room
   double rate{1.0};
   double wait_s{10.0};
   double patience_s{60.0};

@@ -87,6 +87,7 @@ struct Commands {
   RunCommandOptions run;
   CheckCommandOptions check;
   CalibrateCommandOptions calibrate;
+  MonitorCommandOptions monitor;
   ReplayCommandOptions replay;
   ShowCommandOptions show;
 
@@ -108,6 +109,16 @@ struct Commands {
         "sensobot calibrate robot.yaml               # over a tag, four more ahead of it in a row\n"
         "sensobot calibrate robot.yaml --tags 0      # the wheel base alone, anywhere");
     add_calibrate(*sub, calibrate);
+    sub = app.add_subcommand("monitor", "show several robots on one page: those whose monitors are named");
+    sub->footer(
+        "sensobot monitor http://192.168.1.7:8420/?token=... http://192.168.1.8:8420/?token=...\n"
+        "sensobot monitor --at 0.0.0.0:8421 http://127.0.0.1:8420/");
+    sub->add_option("url", monitor.urls, "Address of a monitor, as its program printed it")
+        ->required()
+        ->option_text("URL...");
+    sub->add_option("--at", monitor.at, "Where to serve the page (127.0.0.1:8420, else any free port)")
+        ->option_text("HOST:PORT")
+        ->check(complaint_about_web_address);
     sub = app.add_subcommand("replay", "run the program of a journal again and compare its commands");
     sub->footer("sensobot replay runs/kitchen/journal");
     sub->add_option("journal", replay.journal, "What sensobot run or twin run --journal wrote")
@@ -128,6 +139,9 @@ struct Commands {
     }
     if (command == "calibrate") {
       return calibrate_command(calibrate, environment);
+    }
+    if (command == "monitor") {
+      return monitor_command(monitor, environment);
     }
     return command == "replay" ? replay_command(replay, environment) : show_command(show, environment);
   }

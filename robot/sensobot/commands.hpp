@@ -6,6 +6,7 @@
 #include <iosfwd>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "robot/output/exit_codes.hpp"
 #include "robot/ports/card_session.hpp"
@@ -56,6 +57,13 @@ struct CalibrateCommandOptions {
 };
 [[nodiscard]] ExitCode calibrate_command(const CalibrateCommandOptions& options,
                                          const SensobotEnvironment& environment);
+
+struct MonitorCommandOptions {
+  std::vector<std::string> urls{};  ///< as the other programs printed them
+  std::string at{};                 ///< host:port of the page; empty: where there is room
+};
+[[nodiscard]] ExitCode monitor_command(const MonitorCommandOptions& options,
+                                       const SensobotEnvironment& environment);
 
 struct ReplayCommandOptions {
   std::filesystem::path journal;

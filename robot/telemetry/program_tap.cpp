@@ -92,9 +92,13 @@ void ProgramTap::publish(std::string_view key, std::string_view kind, std::strin
   TelemetryMessage message;
   message.key = prefix_;
   message.key += key;
-  message.json = "{\"k\":\"";
+  message.json = "{\"r\":" + std::to_string(card_.id) + ",\"key\":";
+  append_json_string(message.json, key);
+  message.json += ",\"k\":\"";
   message.json += kind;
-  message.json += "\",\"r\":" + std::to_string(card_.id) + body + "}";
+  message.json += '"';
+  message.json += body;
+  message.json += '}';
   hub_.publish(std::move(message));
 }
 

@@ -29,9 +29,9 @@ void ServeTap::after_tick(const ServedTwin& twin) {
   }
   tap_->truth(twin.now(), twin.machine().world().X_WR());
   const world::RoombaInputs& inputs = twin.machine().inputs();
-  if (inputs.capacity_mah > 0) {
+  if (inputs.battery_capacity_mah > 0.0) {
     constexpr double kPercent = 100.0;
-    tap_->sample(twin.now(), "battery", kPercent * inputs.charge_mah / inputs.capacity_mah);
+    tap_->sample(twin.now(), "battery", kPercent * inputs.battery_charge_mah / inputs.battery_capacity_mah);
   }
 }
 

@@ -143,7 +143,7 @@ try {
   check((await run.ended) === 0, `twin ended with ${await run.ended}`);
   check((await tilesShown(page)) === 207, "the picture went with the program");
   const next = await start(twin, ["run", join(root, "scenes/lesson_2x2.yaml"), "--no-pictures", `--monitor=127.0.0.1:${port}`, "--out", join(out, "next")], /monitor at (http\S+)/);
-  await page.waitForFunction(() => document.querySelector("#plan").dataset.tiles === "4", null, { timeout: 30_000 });
+  await page.waitForFunction(() => document.querySelector("#plan").dataset.tiles === "16", null, { timeout: 30_000 });
   next.child.kill("SIGINT");
   await next.ended;
   console.log("207 tiles, every event, no violation, and the next run");

@@ -64,7 +64,7 @@ try {
     page.errors.length = 0;  // the browser says that it was refused
     await page.goto(url);
     check(!page.url().includes("token"), `the token stays in the address: ${page.url()}`);
-    await page.waitForFunction(() => document.querySelector("#plan")?.dataset.tiles === "4", null, { timeout: 20_000 });
+    await page.waitForFunction(() => document.querySelector("#plan")?.dataset.tiles === "16", null, { timeout: 20_000 });
     check(!(await page.evaluate(() => document.cookie)).includes("sensotwin"), "a script can read the token");
   });
   console.log("hallways, ceiling tags, a served scene and the token");

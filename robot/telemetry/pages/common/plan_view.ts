@@ -15,7 +15,7 @@ export interface Box {
 const leastScale = 2;
 const mostScale = 2000;
 /** Of the canvas, left free round what is shown. */
-const margin = 0.06;
+const margin = 0.03;
 /** A press that moved less is a click: a finger trembles so much (CSS pixels). */
 const clickSlop = 6;
 

@@ -251,6 +251,7 @@ class Page {
     const theme = this.theme;
     drawPlan(context, this.view, {
       robot,
+      others: [...this.model.robots.values()].filter((other) => other !== robot && other.scene !== null && other.scene.scene === robot.scene?.scene),
       theme,
       withRoom: this.withRoom,
       chosen: this.target(),

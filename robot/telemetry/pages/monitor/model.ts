@@ -98,6 +98,8 @@ export class Robot {
   readonly ceiling = new Map<string, CeilingTag>();
   readonly events = new Map<number, LogEvent>();
   readonly series = new Map<string, Map<number, { t: number; v: number }>>();
+  /** Of a robot whose monitor this program reads: whether that one answers. */
+  linked = true;
   status: Figures = {};
   base: Figures = {};
   ended: { t: number; outcome: string } | null = null;
@@ -163,6 +165,9 @@ export class Model {
       this.robots.clear();
       return;
     }
+    if (message.k === "restarted") {
+      this.robots.set(num(message, "r"), new Robot(num(message, "r")));
+    }
     const robot = this.robot(num(message, "r"));
     if (typeof message["t"] === "number" && message.k !== "tile") {
       robot.now = Math.max(robot.now, message["t"]);
@@ -172,6 +177,9 @@ export class Model {
 }
 
 const takers: Record<string, (robot: Robot, of: Message) => void> = {
+  link: (robot, of) => {
+    robot.linked = of["up"] === true;
+  },
   robot: (robot, of) => {
     robot.card = of as unknown as Card;
   },

@@ -211,6 +211,9 @@ export function stateWords(robot: Robot | null, connection: Connection): { text:
     const good = robot.ended.outcome === "done";
     return { text: good ? "Run ended" : `Run ended: ${robot.ended.outcome.replaceAll("_", " ")}`, kind: good ? "good" : "warn" };
   }
+  if (connection === "live" && robot && !robot.linked) {
+    return { text: "Robot not reached, trying again", kind: "bad" };
+  }
   if (connection === "lost") {
     return { text: "Connection lost, trying again", kind: "bad" };
   }

@@ -9,6 +9,8 @@ import { objectName, objectPoint, type Target } from "./targets";
 
 export interface PlanPicture {
   robot: Robot;
+  /** In the same room. */
+  others: Robot[];
   theme: Theme;
   tileColours: Record<Tile["state"], string>;
   withRoom: boolean;
@@ -264,6 +266,18 @@ function drawRobot(context: Context, view: PlanView, picture: PlanPicture): void
   robotGlyph(context, view, pose, robot.card.radius_m, theme.robot, theme.plan);
 }
 
+/** Other robots of the same room, with their names. */
+function drawOthers(context: Context, view: PlanView, { others, theme }: PlanPicture): void {
+  for (const other of others) {
+    const pose = believedPose(other) ?? other.truth;
+    if (pose) {
+      robotGlyph(context, view, pose, other.card.radius_m, theme["soft-ink"], theme.plan);
+      const at = view.toScreen(pose);
+      haloText(context, other.card.name, { x: at.x, y: at.y + 20 }, { colour: theme.ink, halo: theme.plan, px: 11 });
+    }
+  }
+}
+
 function drawChosen(context: Context, view: PlanView, { chosen, theme }: PlanPicture): void {
   if (!chosen) {
     return;
@@ -316,6 +330,7 @@ export function drawPlan(context: Context, view: PlanView, picture: PlanPicture)
   }
   drawObjects(context, view, picture);
   drawCeiling(context, view, picture);
+  drawOthers(context, view, picture);
   drawRobot(context, view, picture);
   drawChosen(context, view, picture);
   scaleBar(context, view, { x: 18, y: view.height - 18 }, theme);

@@ -70,6 +70,7 @@ export async function openBrowser(pages) {
 /** Starts a program and waits until a line of its stderr matches. \returns the process, the match, and the lines so far */
 export async function start(program, args, pattern, options = {}) {
   const child = spawn(program, args, { stdio: ["ignore", "ignore", "pipe"], ...options });
+  process.on("exit", () => child.kill("SIGKILL"));  // however the test ends
   const lines = [];
   const ended = new Promise((done) => child.on("exit", (code) => done(code)));
   const match = await new Promise((done, fail) => {

@@ -1,0 +1,1 @@
+function e(e,t={},...n){let r=document.createElement(e);for(let[e,n]of Object.entries(t))typeof n==`function`?r.addEventListener(e.replace(/^on/,``),n):n!==!1&&r.setAttribute(e,n===!0?``:String(n));return r.append(...n),r}document.getElementById(`monitor`)?.append(e(`h1`,{},`SensoTwin monitor`));

@@ -80,9 +80,10 @@ TraceReply refusal(int status, const std::string& what) {
 TraceSession::TraceSession(std::filesystem::path folder, std::filesystem::path scratch)
     : folder_(std::move(folder)), scratch_(std::move(scratch)) {}
 
-void TraceSession::suggest_name(std::string name) {
+void TraceSession::suggest_hallways_file(const std::string& name) {
   assert(is_file_name(name));
-  name_ = std::move(name);
+  name_ = stem_of(name);
+  hallways_file_ = name;
 }
 
 void TraceSession::open_operand(const std::filesystem::path& file) {
@@ -176,7 +177,11 @@ Json TraceSession::session() const {
   for (const TraceFile& file : folder_.files()) {
     files.push_back({{"name", file.name}, {"kind", file.kind}});
   }
-  return {{"folder", folder_.path().string()}, {"files", files}, {"name", name_}, {"opened", opened_}};
+  return {{"folder", folder_.path().string()},
+          {"files", files},
+          {"name", name_},
+          {"hallways_file", hallways_file_},
+          {"opened", opened_}};
 }
 
 Json TraceSession::open(const std::string& name) {

@@ -51,10 +51,12 @@ class TraceSession {
   /// What the command line names: a picture, a map, a hallway map or a tracing, from wherever it lies.
   /// \throws LoadError kExitMissing, kExitInvalid
   void open_operand(const std::filesystem::path& file);
-  /// Under which name the page is to save unless told otherwise. \pre is_file_name(name)
-  void suggest_name(std::string name);
+  /// Under which name the hallway map is to be saved unless told otherwise. \pre is_file_name(), ends in
+  /// .yaml
+  void suggest_hallways_file(const std::string& name);
 
   [[nodiscard]] TraceReply answer(const TraceRequest& request);
+  [[nodiscard]] const std::filesystem::path& folder() const { return folder_.path(); }
 
   /// Bytes of a request other than upload. Chosen: a document of kPlacesMax places is a tenth.
   static constexpr std::size_t kBodyMax = 8'000'000;
@@ -78,6 +80,7 @@ class TraceSession {
   TraceFolder folder_;
   TraceFolder scratch_;
   std::string name_{"plan"};
+  std::string hallways_file_;                              ///< empty: made from the name
   Json opened_;                                            ///< what open_operand() found, as `open` answers
   std::deque<std::pair<std::string, PlanPicture>> plans_;  ///< the last shown, by id
 };

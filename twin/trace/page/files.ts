@@ -55,6 +55,8 @@ export function docJson(doc: Doc): Json {
   return {
     tracing: 1,
     plan: doc.plan,
+    // Where places were drawn, of use to this page alone: a plan without a scale has no metres to save.
+    drawn_at: doc.places.map((place) => pair(place.at)),
     hallways: { version: 1, ...settings, ...extra, places: doc.places.map((place) => placeJson(doc, place)) },
     scene: sceneJson(doc),
   };
@@ -65,7 +67,7 @@ function readSide(json: Json, place: Place, doc: Doc, guessed: boolean): Side {
   const other = typeof to === "string" ? placeByName(doc, to) : undefined;
   const side: Side = {
     to: other ? other.id : null,
-    length: typeof length_m === "number" ? length_m : "unknown",
+    length: typeof length_m === "number" ? length_m : other && !metric(doc) ? "drawn" : "unknown",
     tags: Array.isArray(tags) ? tags.map(String) : [],
     extra,
   };
@@ -105,7 +107,7 @@ function layOut(doc: Doc, known: Set<number>): void {
     .forEach((place, i) => (place.at = { x: usual * i, y: lowest - usual }));
 }
 
-export function readHallways(doc: Doc, json: Json): { guessed: boolean } {
+export function readHallways(doc: Doc, json: Json, drawnAt: unknown = null): { guessed: boolean } {
   const { version: _version, places, north_deg, width_m, tag_to_middle_m, tag_reach_m, ...extra } = json;
   const number = (value: unknown, otherwise: number) => (typeof value === "number" ? value : otherwise);
   doc.settings = {
@@ -117,9 +119,10 @@ export function readHallways(doc: Doc, json: Json): { guessed: boolean } {
   };
   const list = (Array.isArray(places) ? places : []) as Json[];
   const known = new Set<number>();
-  doc.places = list.map((one) => {
+  const drawn = Array.isArray(drawnAt) ? drawnAt : [];
+  doc.places = list.map((one, i) => {
     const { name, at_m, N: _n, E: _e, S: _s, W: _w, ...rest } = one;
-    const at = point(at_m);
+    const at = point(drawn[i]) ?? point(at_m);
     const place: Place = { id: doc.nextId++, name: String(name), at: at ?? { x: 0, y: 0 }, sides: {}, extra: rest };
     if (at) {
       known.add(place.id);
@@ -185,7 +188,7 @@ function readScene(scene: Scene, json: Json): void {
 export function readDoc(json: Json): { doc: Doc; guessed: boolean } {
   const doc = emptyDoc();
   doc.plan = (json["plan"] as Plan | null) ?? null;
-  const { guessed } = readHallways(doc, (json["hallways"] ?? {}) as Json);
+  const { guessed } = readHallways(doc, (json["hallways"] ?? {}) as Json, json["drawn_at"]);
   readScene(doc.scene, (json["scene"] ?? {}) as Json);
   return { doc, guessed };
 }

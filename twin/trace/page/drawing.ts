@@ -1,0 +1,389 @@
+// SPDX-License-Identifier: MIT
+// The drawing: a plan under hallways, places, their tags by side, what a scene adds, and the way that was planned.
+import { haloText, planLine, robotGlyph, scaleBar } from "../../../robot/telemetry/pages/common/draw";
+import type { PlanView, Point } from "../../../robot/telemetry/pages/common/plan_view";
+import type { Theme } from "../../../robot/telemetry/pages/common/theme";
+import type { Editor } from "./editor";
+import { hallways, lengthOf, letters, metric, opposite, placeByName, step, type Letter, type Place, type Side } from "./model";
+import type { Picture } from "./picture";
+
+const family = 'system-ui, -apple-system, "Segoe UI", Roboto, "Noto Sans", "DejaVu Sans", sans-serif';
+/** CSS pixels: a tag's chip never comes nearer to its place than this. */
+const chipGap = 7;
+const chipHeight = 17;
+const pillHeight = 24;
+
+type Context = CanvasRenderingContext2D;
+
+export class Drawing {
+  constructor(
+    private readonly editor: Editor,
+    private readonly picture: Picture,
+    public theme: Theme,
+  ) {}
+
+  draw(context: Context, view: PlanView): void {
+    this.picture.draw(context, view, this.editor.doc.plan, this.theme);
+    this.grid(context, view);
+    this.carpet(context, view);
+    this.room(context, view);
+    this.hallwayLines(context, view);
+    this.routeLine(context, view);
+    for (const place of this.editor.doc.places) {
+      this.sides(context, view, place);
+    }
+    for (const place of this.editor.doc.places) {
+      this.place(context, view, place);
+    }
+    this.ceiling(context, view);
+    this.start(context, view);
+    if (metric(this.editor.doc)) {
+      scaleBar(context, view, { x: 18, y: view.height - 18 }, this.theme);
+    }
+  }
+
+  private grid(context: Context, view: PlanView): void {
+    const every = [0.5, 1, 2, 5, 10, 20, 50, 100].find((metres) => metres * view.scale >= 28) ?? 100;
+    const low = view.toPlan({ x: 0, y: view.height });
+    const high = view.toPlan({ x: view.width, y: 0 });
+    context.lineWidth = 1;
+    context.strokeStyle = this.theme.line;
+    context.globalAlpha = this.picture.shown ? 0.35 : 0.75;
+    context.beginPath();
+    for (let x = Math.ceil(low.x / every) * every; x <= high.x; x += every) {
+      const at = Math.round(view.toScreen({ x, y: 0 }).x) + 0.5;
+      context.moveTo(at, 0);
+      context.lineTo(at, view.height);
+    }
+    for (let y = Math.ceil(low.y / every) * every; y <= high.y; y += every) {
+      const at = Math.round(view.toScreen({ x: 0, y }).y) + 0.5;
+      context.moveTo(0, at);
+      context.lineTo(view.width, at);
+    }
+    context.stroke();
+    context.globalAlpha = 1;
+  }
+
+  private hallwayLines(context: Context, view: PlanView): void {
+    const { editor, theme } = this;
+    const chosen = editor.selection;
+    const width = Math.max(editor.doc.settings.width_m * view.scale, 10);
+    for (const { a, b, letter } of hallways(editor.doc)) {
+      const selected = chosen?.kind === "hallway" && ((chosen.id === a.id && chosen.letter === letter) || (chosen.id === b.id && chosen.letter === opposite(letter)));
+      const blocked = editor.isBlocked(a, letter, b);
+      planLine(context, view, [a.at, b.at]);
+      context.lineCap = "round";
+      context.strokeStyle = blocked ? theme.bad : theme.accent;
+      context.globalAlpha = selected ? 0.3 : 0.13;
+      context.lineWidth = width;
+      context.stroke();
+      context.globalAlpha = 1;
+      context.lineWidth = selected ? 4 : 2.5;
+      context.setLineDash(blocked ? [2, 6] : []);
+      context.stroke();
+      context.setLineDash([]);
+    }
+  }
+
+  /** Lengths are written when there is room between the chips. */
+  private lengthLabel(context: Context, view: PlanView, place: Place, side: Side, other: Place): void {
+    const a = view.toScreen(place.at);
+    const b = view.toScreen(other.at);
+    const length = lengthOf(this.editor.doc, place, side);
+    const room = Math.hypot(b.x - a.x, b.y - a.y);
+    const upright = Math.abs(b.y - a.y) > Math.abs(b.x - a.x);
+    if (room < (upright ? 120 : 190)) {
+      return;
+    }
+    const text = length === null ? "? m" : `${Number(length.toFixed(2))} m`;
+    const at = { x: (a.x + b.x) / 2 + (upright ? 8 : 0), y: (a.y + b.y) / 2 - (upright ? 0 : 11) };
+    haloText(context, text, at, { colour: this.theme["soft-ink"], halo: this.theme.plan, align: upright ? "left" : "center" });
+  }
+
+  private pill(place: Place, context: Context): number {
+    context.font = `650 13px ${family}`;
+    return Math.max(pillHeight, context.measureText(place.name).width + 14);
+  }
+
+  private sides(context: Context, view: PlanView, place: Place): void {
+    const at = view.toScreen(place.at);
+    const half = this.pill(place, context) / 2;
+    for (const letter of letters) {
+      const side = place.sides[letter];
+      const edge = (letter === "E" || letter === "W" ? half : pillHeight / 2) + 2;
+      if (!side) {
+        this.absent(context, at, letter, edge);
+      } else if (side.to === null) {
+        this.unknown(context, view, at, letter, side, edge);
+      } else {
+        const other = this.editor.doc.places.find((each) => each.id === side.to);
+        if (other) {
+          const far = view.toScreen(other.at);
+          this.chip(context, view, at, far, side, edge, Math.hypot(far.x - at.x, far.y - at.y) / 2);
+          if (place.id < other.id) {
+            this.lengthLabel(context, view, place, side, other);
+          }
+        }
+      }
+    }
+  }
+
+  /** The paper's "-": a short bar across. */
+  private absent(context: Context, at: Point, letter: Letter, edge: number): void {
+    const way = step[letter];
+    const from = { x: at.x + way.x * (edge + 4), y: at.y - way.y * (edge + 4) };
+    context.strokeStyle = this.theme["soft-ink"];
+    context.lineWidth = 2;
+    context.lineCap = "round";
+    context.beginPath();
+    context.moveTo(from.x - way.y * 5, from.y - way.x * 5);
+    context.lineTo(from.x + way.y * 5, from.y + way.x * 5);
+    context.stroke();
+  }
+
+  /** The paper's "?": a dashed stub. */
+  private unknown(context: Context, view: PlanView, at: Point, letter: Letter, side: Side, edge: number): void {
+    const way = step[letter];
+    const tagged = side.tags.length > 0;
+    const chip = tagged ? this.chipSize(context, side, letter) : 0;
+    const nearest = edge + (tagged ? chipGap + chip + 8 : 16);
+    const long = Math.max(1.6 * view.scale, nearest) + 11;
+    const end = { x: at.x + way.x * long, y: at.y - way.y * long };
+    context.strokeStyle = this.theme.warn;
+    context.lineWidth = 2.5;
+    context.lineCap = "butt";
+    context.setLineDash([6, 5]);
+    context.beginPath();
+    context.moveTo(at.x, at.y);
+    context.lineTo(end.x, end.y);
+    context.stroke();
+    context.setLineDash([]);
+    context.beginPath();
+    context.arc(end.x, end.y, 10, 0, 2 * Math.PI);
+    context.fillStyle = this.theme.card;
+    context.fill();
+    context.lineWidth = 2;
+    context.stroke();
+    haloText(context, "?", { x: end.x, y: end.y + 0.5 }, { colour: this.theme.warn, halo: this.theme.card, px: 14, bold: true });
+    this.chip(context, view, at, end, side, edge, long - 11);
+  }
+
+  private chipText(side: Side): string {
+    const first = side.tags[0] ?? "";
+    const short = first.length > 6 ? `…${first.slice(-4)}` : first;
+    return side.tags.length > 1 ? `${short} +${side.tags.length - 1}` : short;
+  }
+  private chipSize(context: Context, side: Side, letter: Letter): number {
+    context.font = `600 11.5px ${family}`;
+    return letter === "E" || letter === "W" ? context.measureText(this.chipText(side)).width + 10 : chipHeight;
+  }
+
+  /** A tag's number where it is met; a dot where there is no room for it. */
+  private chip(context: Context, view: PlanView, at: Point, to: Point, side: Side, edge: number, room: number): void {
+    if (side.tags.length === 0) {
+      return;
+    }
+    const far = Math.hypot(to.x - at.x, to.y - at.y) || 1;
+    const way = { x: (to.x - at.x) / far, y: (to.y - at.y) / far };
+    context.font = `600 11.5px ${family}`;
+    const text = this.chipText(side);
+    const wide = context.measureText(text).width + 10;
+    const half = Math.abs(way.x) > Math.abs(way.y) ? wide / 2 : chipHeight / 2;
+    const nearest = edge + chipGap + half;
+    const from = Math.max(this.editor.doc.settings.tag_to_middle_m * view.scale, nearest);
+    const fits = nearest + half + 2 <= room;
+    const along = fits ? Math.min(from, room - half - 2) : Math.max(edge + 5, room * 0.7);
+    const middle = { x: at.x + way.x * along, y: at.y + way.y * along };
+    context.fillStyle = this.theme.tag;
+    context.beginPath();
+    if (!fits) {
+      context.arc(middle.x, middle.y, 3.5, 0, 2 * Math.PI);
+      context.fill();
+      return;
+    }
+    context.roundRect(middle.x - wide / 2, middle.y - chipHeight / 2, wide, chipHeight, 5);
+    context.fill();
+    context.lineWidth = 1.5;
+    context.strokeStyle = this.theme.plan;
+    context.stroke();
+    context.fillStyle = this.theme.plan;
+    context.textAlign = "center";
+    context.textBaseline = "middle";
+    context.fillText(text, middle.x, middle.y + 0.5);
+  }
+
+  private place(context: Context, view: PlanView, place: Place): void {
+    const { editor, theme } = this;
+    const at = view.toScreen(place.at);
+    const wide = this.pill(place, context);
+    const selected = editor.selectedPlace?.id === place.id && editor.selection?.kind === "place";
+    const worst = editor.worstOf(place.name);
+    const box = (grow: number) => {
+      context.beginPath();
+      context.roundRect(at.x - wide / 2 - grow, at.y - pillHeight / 2 - grow, wide + 2 * grow, pillHeight + 2 * grow, pillHeight / 2 + grow);
+    };
+    if (selected) {
+      box(5);
+      context.fillStyle = theme.accent;
+      context.globalAlpha = 0.28;
+      context.fill();
+      context.globalAlpha = 1;
+    }
+    box(0);
+    context.fillStyle = selected ? theme.accent : theme.card;
+    context.fill();
+    context.lineWidth = 2.5;
+    context.strokeStyle = worst === "error" ? theme.bad : theme.accent;
+    context.stroke();
+    context.fillStyle = selected ? theme.plan : theme.ink;
+    context.font = `650 13px ${family}`;
+    context.textAlign = "center";
+    context.textBaseline = "middle";
+    context.fillText(place.name, at.x, at.y + 0.5);
+    if (worst === "error") {
+      context.beginPath();
+      context.arc(at.x + wide / 2 - 1, at.y - pillHeight / 2 + 1, 7.5, 0, 2 * Math.PI);
+      context.fillStyle = theme.bad;
+      context.fill();
+      haloText(context, "!", { x: at.x + wide / 2 - 1, y: at.y - pillHeight / 2 + 1.5 }, { colour: theme.plan, halo: theme.bad, px: 11, bold: true });
+    }
+  }
+
+  private routeLine(context: Context, view: PlanView): void {
+    const steps = this.editor.route?.steps ?? [];
+    const points = [this.editor.route?.start ?? "", ...steps.map((one) => one.to)]
+      .map((name) => placeByName(this.editor.doc, name)?.at)
+      .filter((p) => p !== undefined);
+    if (points.length === 0) {
+      return;
+    }
+    context.lineJoin = "round";
+    context.lineCap = "round";
+    for (const [colour, width] of [[this.theme.plan, 11], [this.theme.robot, 6]] as const) {
+      planLine(context, view, points);
+      context.strokeStyle = colour;
+      context.lineWidth = width;
+      context.stroke();
+    }
+    points.slice(1).forEach((b, i) => this.arrow(context, view.toScreen(points[i] as Point), view.toScreen(b)));
+    for (const [p, ring] of [[points[0], 19], [points.at(-1), 19]] as const) {
+      const at = view.toScreen(p as Point);
+      context.beginPath();
+      context.arc(at.x, at.y, ring, 0, 2 * Math.PI);
+      context.lineWidth = 3;
+      context.strokeStyle = this.theme.robot;
+      context.stroke();
+    }
+  }
+  private arrow(context: Context, a: Point, b: Point): void {
+    const turn = Math.atan2(b.y - a.y, b.x - a.x);
+    context.save();
+    context.translate(a.x + 0.62 * (b.x - a.x), a.y + 0.62 * (b.y - a.y));
+    context.rotate(turn);
+    context.beginPath();
+    context.moveTo(11, 0);
+    context.lineTo(-7, -9);
+    context.lineTo(-7, 9);
+    context.closePath();
+    context.fillStyle = this.theme.robot;
+    context.strokeStyle = this.theme.plan;
+    context.lineWidth = 2;
+    context.stroke();
+    context.fill();
+    context.restore();
+  }
+
+  private carpet(context: Context, view: PlanView): void {
+    const { editor, theme } = this;
+    const scene = editor.doc.scene;
+    if (scene.kind !== "carpet") {
+      return;
+    }
+    const answer = editor.scene;
+    if (answer?.tiles && answer.tile_origin_m && answer.tile_m) {
+      const side = answer.tile_m * view.scale;
+      const dead = new Set(scene.unreadable.map(String));
+      for (const [column, row] of answer.tiles) {
+        const at = view.toScreen({ x: answer.tile_origin_m[0] + column * answer.tile_m, y: answer.tile_origin_m[1] + (row + 1) * answer.tile_m });
+        const unreadable = dead.has(String([column, row]));
+        context.fillStyle = unreadable ? theme.bad : theme.landmark;
+        context.globalAlpha = unreadable ? 0.35 : 0.16;
+        context.fillRect(at.x, at.y, side, side);
+        context.globalAlpha = 0.5;
+        context.strokeStyle = theme.landmark;
+        context.lineWidth = 1;
+        context.strokeRect(at.x + 0.5, at.y + 0.5, side - 1, side - 1);
+        context.globalAlpha = 1;
+        if (side > 9) {
+          context.beginPath();
+          context.arc(at.x + side / 2, at.y + side / 2, Math.min(3, side / 8), 0, 2 * Math.PI);
+          context.fillStyle = unreadable ? theme.bad : theme.tag;
+          context.fill();
+        }
+      }
+    }
+    if (scene.region) {
+      const [a, b] = scene.region;
+      planLine(context, view, [a, { x: b.x, y: a.y }, b, { x: a.x, y: b.y }], true);
+      context.strokeStyle = theme.landmark;
+      context.lineWidth = 2;
+      context.setLineDash([8, 5]);
+      context.stroke();
+      context.setLineDash([]);
+    }
+  }
+
+  private room(context: Context, view: PlanView): void {
+    const { room, walls } = this.editor.doc.scene;
+    if (room.length === 0 || (walls !== "room" && room.length > 2)) {
+      return;
+    }
+    planLine(context, view, room, true);
+    context.lineWidth = 4;
+    context.lineJoin = "miter";
+    context.strokeStyle = this.theme.wall;
+    context.stroke();
+    for (const corner of room) {
+      const at = view.toScreen(corner);
+      context.fillStyle = this.theme.wall;
+      context.fillRect(at.x - 4, at.y - 4, 8, 8);
+    }
+  }
+
+  private ceiling(context: Context, view: PlanView): void {
+    const { editor, theme } = this;
+    const tags = editor.doc.scene.ceiling;
+    if (tags.length === 0 || editor.doc.scene.kind !== "ceiling") {
+      return;
+    }
+    planLine(context, view, tags.map((tag) => tag.at));
+    context.strokeStyle = theme.tag;
+    context.lineWidth = 1.5;
+    context.setLineDash([3, 5]);
+    context.stroke();
+    context.setLineDash([]);
+    tags.forEach((tag, i) => {
+      const at = view.toScreen(tag.at);
+      const selected = editor.selection?.kind === "ceiling" && editor.selection.index === i;
+      context.save();
+      context.translate(at.x, at.y);
+      context.rotate(Math.PI / 4);
+      context.fillStyle = theme.tag;
+      context.strokeStyle = selected ? theme.accent : theme.plan;
+      context.lineWidth = selected ? 4 : 2;
+      context.fillRect(-8, -8, 16, 16);
+      context.strokeRect(-8, -8, 16, 16);
+      context.restore();
+      haloText(context, `${tag.name}  ${tag.height_m} m`, { x: at.x + 16, y: at.y }, { colour: theme.ink, halo: theme.plan, bold: true, align: "left" });
+    });
+  }
+
+  private start(context: Context, view: PlanView): void {
+    const start = this.editor.doc.scene.start;
+    if (!start || !this.editor.sceneShown) {
+      return;
+    }
+    const yaw = (start.heading_deg * Math.PI) / 180;
+    robotGlyph(context, view, { ...start, yaw }, 0.17, this.theme.robot, this.theme.plan);
+  }
+}

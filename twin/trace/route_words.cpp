@@ -28,13 +28,13 @@ std::optional<robot::TagNumber> tag_from(const std::string& text) {
 const char* turn_words(int quarter_turns_right) {
   switch (quarter_turns_right) {
     case 1:
-      return "turn right and go";
+      return "Turn right and go";
     case -1:
-      return "turn left and go";
+      return "Turn left and go";
     case 2:
-      return "turn round and go";
+      return "Turn round and go";
     default:
-      return "go straight on";
+      return "Go straight on";
   }
 }
 
@@ -59,7 +59,7 @@ std::vector<std::string> route_words(const robot::HallwayMap& map, const RouteSt
   std::vector<std::string> words;
   std::optional<robot::CompassPoint> came_from = start.came_from;
   for (const robot::RouteStep& step : route.steps) {
-    std::string line = came_from ? turn_words(robot::turn_at(*came_from, step.exit)) : "go";
+    std::string line = came_from ? turn_words(robot::turn_at(*came_from, step.exit)) : "Go";
     line += fmt::format(" {}", robot::name_of(step.exit));
     const robot::Side& out = map.node(step.from).side(step.exit);
     if (out.length_m) {

@@ -20,7 +20,7 @@ struct RouteStart {
 /// From a place's name or a tag's number, in that order. Nothing: neither.
 [[nodiscard]] std::optional<RouteStart> route_start(const robot::HallwayMap& map, const std::string& text);
 
-/// A sentence for each hallway of the way: "turn right and go east 8.4 m to e (tag 13)".
+/// A sentence for each hallway of the way: "Turn right and go east 8.4 m to e (tag 13)".
 [[nodiscard]] std::vector<std::string> route_words(const robot::HallwayMap& map, const RouteStart& start,
                                                    const robot::HallwayRoute& route);
 

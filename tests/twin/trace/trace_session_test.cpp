@@ -66,7 +66,7 @@ TEST(TraceSession, PlansAWayByThePlannerOfTheRobotAndSaysItInWords) {
   EXPECT_EQ(route["start_words"], "Tag 9: at c, having come in from the east.");
   // "coming from the East side, turns to the right ... and going out to the North side" (Tsukiyama, section
   // 3).
-  EXPECT_EQ(route["words"][0], "turn right and go north 6.0 m to d (tag 11)");
+  EXPECT_EQ(route["words"][0], "Turn right and go north 6.0 m to d (tag 11)");
 }
 
 TEST(TraceSession, SaysThatOnlyAnUnknownHallwayMightLeadThere) {

@@ -67,18 +67,29 @@ export class Drawing {
   private hallwayLines(context: Context, view: PlanView): void {
     const { editor, theme } = this;
     const chosen = editor.selection;
-    const width = Math.max(editor.doc.settings.width_m * view.scale, 10);
-    for (const { a, b, letter } of hallways(editor.doc)) {
+    const drawn = hallways(editor.doc);
+    // One path for all, so that bands do not darken each other where they meet.
+    context.beginPath();
+    for (const { a, b } of drawn) {
+      const from = view.toScreen(a.at);
+      const to = view.toScreen(b.at);
+      context.moveTo(from.x, from.y);
+      context.lineTo(to.x, to.y);
+    }
+    context.lineCap = "square";
+    context.lineJoin = "miter";
+    context.strokeStyle = theme.accent;
+    context.globalAlpha = 0.14;
+    context.lineWidth = Math.max(editor.doc.settings.width_m * view.scale, 10);
+    context.stroke();
+    context.globalAlpha = 1;
+    context.lineCap = "round";
+    for (const { a, b, letter } of drawn) {
       const selected = chosen?.kind === "hallway" && ((chosen.id === a.id && chosen.letter === letter) || (chosen.id === b.id && chosen.letter === opposite(letter)));
       const blocked = editor.isBlocked(a, letter, b);
       planLine(context, view, [a.at, b.at]);
-      context.lineCap = "round";
       context.strokeStyle = blocked ? theme.bad : theme.accent;
-      context.globalAlpha = selected ? 0.3 : 0.13;
-      context.lineWidth = width;
-      context.stroke();
-      context.globalAlpha = 1;
-      context.lineWidth = selected ? 4 : 2.5;
+      context.lineWidth = selected ? 6 : 2.5;
       context.setLineDash(blocked ? [2, 6] : []);
       context.stroke();
       context.setLineDash([]);
@@ -146,7 +157,7 @@ export class Drawing {
     const way = step[letter];
     const tagged = side.tags.length > 0;
     const chip = tagged ? this.chipSize(context, side, letter) : 0;
-    const nearest = edge + (tagged ? chipGap + chip + 8 : 16);
+    const nearest = edge + (tagged ? chipGap + chip + 26 : 20);
     const long = Math.max(1.6 * view.scale, nearest) + 11;
     const end = { x: at.x + way.x * long, y: at.y - way.y * long };
     context.strokeStyle = this.theme.warn;

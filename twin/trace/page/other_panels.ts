@@ -41,11 +41,11 @@ export function planPanel(editor: Editor, actions: PlanActions): Node[] {
       ]
     : [el("p", { class: "soft" }, "No picture: an empty sheet in metres. Open one, or drop a PNG or PGM on the drawing.")];
   return [
-    el("h3", {}, "Picture"),
+    el("h2", {}, "Picture"),
     ...picture,
     numberField({ key: "turn", label: "Turn the plan, degrees clockwise", value: 0, min: -360, max: 360, note: "So that north is up. Or drag the needle with the North tool (N)." }, (deg) =>
       editor.history.change("north", (draft) => turnBy(draft, (-deg * Math.PI) / 180))),
-    el("h3", {}, "Building"),
+    el("h2", {}, "Building"),
     setting("width_m", "Hallways are wide, m", 0.5, 10),
     setting("tag_to_middle_m", "From a tag to the middle of its place, m", 0.1, 10),
     setting("tag_reach_m", "A tag is read within, m", 0.01, 2),

@@ -27,7 +27,7 @@ function neighbourField(editor: Editor, place: Place, letter: Letter): HTMLEleme
   const field = el(
     "select",
     { "data-key": `to ${letter}`, "aria-label": `${sideNames[letter]} leads to` },
-    el("option", { value: "-", selected: value === "-" }, "–  no hallway"),
+    el("option", { value: "-", selected: value === "-" }, "–  none"),
     el("option", { value: "?", selected: value === "?" }, "?  unknown"),
     ...free.map((other) => el("option", { value: String(other.id), selected: value === String(other.id) }, other.name)),
   );
@@ -128,7 +128,7 @@ function sidesTable(editor: Editor, place: Place): HTMLElement {
 function placeForm(editor: Editor, place: Place): Node[] {
   const unit = metric(editor.doc) ? "m" : "no scale yet";
   return [
-    el("h3", { class: "title" }, `${kindOf(place)} ${place.name}`, el("span", { class: "soft figures at" }, ` ${place.at.x.toFixed(2)}, ${place.at.y.toFixed(2)} ${unit}`)),
+    el("h2", { class: "title" }, `${kindOf(place)} ${place.name}`, el("span", { class: "soft figures at" }, ` ${place.at.x.toFixed(2)}, ${place.at.y.toFixed(2)} ${unit}`)),
     textField({ key: "name", label: "Name", value: place.name }, (name) => {
       if (name !== "" && name !== place.name) {
         editor.history.change("name", (draft) => {
@@ -151,23 +151,21 @@ function placeForm(editor: Editor, place: Place): Node[] {
 
 function placeList(editor: Editor): Node[] {
   const items = editor.doc.places.map((place) => {
-    const says = letters
-      .map((letter) => {
-        const side = place.sides[letter];
-        const to = side?.to == null ? undefined : placeById(editor.doc, side.to);
-        return `${letter} ${!side ? "–" : to ? to.name : "?"}`;
-      })
-      .join("  ");
+    const says = letters.map((letter) => {
+      const side = place.sides[letter];
+      const to = side?.to == null ? undefined : placeById(editor.doc, side.to);
+      return el("span", { class: "neighbour" }, el("span", { class: "soft" }, `${letter} `), !side ? "–" : to ? to.name : "?");
+    });
     const chosen = editor.selectedPlace?.id === place.id;
     const pick = el("button", {
       type: "button", class: "item", "aria-pressed": String(chosen), "data-key": `place ${place.id}`,
       onclick: () => editor.select({ kind: "place", id: place.id }),
-    }, el("b", {}, place.name), el("span", { class: "figures" }, says));
+    }, el("b", {}, place.name), ...says);
     return el("li", {}, pick);
   });
   return [
     el("div", { class: "row spread" },
-      el("h3", {}, `Places (${editor.doc.places.length})`),
+      el("h2", {}, `Places (${editor.doc.places.length})`),
       el("span", { class: "row" },
         button("Add place", () => {
           const id = editor.history.change("place", (draft) => {

@@ -130,14 +130,14 @@ class Page {
       ["Try", ["route"]],
       ["Scene", ["start", "room", "carpet", "ceiling"]],
     ];
-    return el("div", { class: "toolbar", role: "toolbar", "aria-label": "Tools", "aria-orientation": "vertical", tabindex: "-1" },
+    return el("section", { class: "tools", "aria-label": "Tools" }, el("div", { class: "toolbar", role: "toolbar", "aria-label": "Tools", tabindex: "0" },
       ...groups.map(([title, names]) => el("div", { class: "group", role: "group", "aria-label": title }, el("span", { class: "group-title", "aria-hidden": "true" }, title),
         ...names.map((name) => {
           const tool = this.tools.find((each) => each.name === name) as Tool;
           const pick = el("button", { type: "button", class: "tool", "aria-pressed": "false", title: `${tool.label} (${tool.key.toUpperCase()})`, "aria-keyshortcuts": tool.key, onclick: () => this.take(tool) }, icon(tool.icon), el("span", {}, tool.label));
           this.toolButtons.set(name, pick);
           return pick;
-        }))));
+        })))));
   }
   private stage(): HTMLElement {
     const zoom = (name: IconName, label: string, run: () => void) => el("button", { type: "button", class: "round", "aria-label": label, title: label, onclick: run }, icon(name));

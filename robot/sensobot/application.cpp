@@ -8,6 +8,8 @@
 #include "robot/cli/help_formatter.hpp"
 #include "robot/config/problem.hpp"
 #include "robot/output/output_error.hpp"
+#include "robot/telemetry/web/web_address.hpp"
+#include "robot/telemetry/web/web_error.hpp"
 
 namespace sensotwin::robot {
 namespace {
@@ -35,6 +37,16 @@ void add_run(CLI::App& app, RunCommandOptions& options) {
          "Write all bytes of all wires here (default DIR/journal)")
       ->option_text("FILE");
   app.add_flag("--no-journal", options.no_journal, "Write no journal");
+  app.add_option_function<std::vector<std::string>>(
+         "--monitor",
+         [&options](const std::vector<std::string>& given) {
+           options.monitor = given.empty() ? "" : given.front();
+         },
+         "Serve a page that draws what happens (127.0.0.1:8420, else any free port); a token is asked for "
+         "when it is reached from other machines")
+      ->option_text("[HOST:PORT]")
+      ->expected(0, 1)
+      ->check(complaint_about_web_address);
   app.add_option("--rate", options.rate, "Seconds of the robot in one of the clock: the --rtf of twin serve")
       ->option_text("X")
       ->check(CLI::Range(0.01, 1000.0));
@@ -75,6 +87,7 @@ struct Commands {
   RunCommandOptions run;
   CheckCommandOptions check;
   CalibrateCommandOptions calibrate;
+  MonitorCommandOptions monitor;
   ReplayCommandOptions replay;
   ShowCommandOptions show;
 
@@ -83,6 +96,8 @@ struct Commands {
     sub->footer(
         "sensobot run robot.yaml\n"
         "sensobot run robot.yaml --out runs/kitchen --patience 20\n"
+        "sensobot run robot.yaml --monitor 0.0.0.0:8420    # seen from a phone, with the token that is "
+        "printed\n"
         "sensobot run robot.yaml --devices served/devices.yaml --rate 4    # behind twin serve --rtf 4");
     add_run(*sub, run);
     sub = app.add_subcommand("check", "test every device, moving nothing, and print what was found");
@@ -94,6 +109,16 @@ struct Commands {
         "sensobot calibrate robot.yaml               # over a tag, four more ahead of it in a row\n"
         "sensobot calibrate robot.yaml --tags 0      # the wheel base alone, anywhere");
     add_calibrate(*sub, calibrate);
+    sub = app.add_subcommand("monitor", "show several robots on one page: those whose monitors are named");
+    sub->footer(
+        "sensobot monitor http://192.168.1.7:8420/?token=... http://192.168.1.8:8420/?token=...\n"
+        "sensobot monitor --at 0.0.0.0:8421 http://127.0.0.1:8420/");
+    sub->add_option("url", monitor.urls, "Address of a monitor, as its program printed it")
+        ->required()
+        ->option_text("URL...");
+    sub->add_option("--at", monitor.at, "Where to serve the page (127.0.0.1:8420, else any free port)")
+        ->option_text("HOST:PORT")
+        ->check(complaint_about_web_address);
     sub = app.add_subcommand("replay", "run the program of a journal again and compare its commands");
     sub->footer("sensobot replay runs/kitchen/journal");
     sub->add_option("journal", replay.journal, "What sensobot run or twin run --journal wrote")
@@ -115,6 +140,9 @@ struct Commands {
     if (command == "calibrate") {
       return calibrate_command(calibrate, environment);
     }
+    if (command == "monitor") {
+      return monitor_command(monitor, environment);
+    }
     return command == "replay" ? replay_command(replay, environment) : show_command(show, environment);
   }
 };
@@ -129,6 +157,9 @@ ExitCode obey_guarded(const Commands& commands, const std::string& command,
   } catch (const OutputError& error) {
     environment.err << "error: " << error.what() << '\n';
     return error.exit_code();
+  } catch (const WebError& error) {
+    environment.err << "error: " << error.what() << '\n';
+    return ExitCode::kUnavailable;
   } catch (const std::exception& error) {
     environment.err << "error: internal: " << error.what() << '\n';
     return ExitCode::kInternal;

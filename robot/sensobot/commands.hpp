@@ -6,6 +6,7 @@
 #include <iosfwd>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "robot/output/exit_codes.hpp"
 #include "robot/ports/card_session.hpp"
@@ -28,6 +29,7 @@ struct RunCommandOptions {
   bool force{false};
   std::optional<std::filesystem::path> journal{};  ///< none: in the run's folder
   bool no_journal{false};
+  std::optional<std::string> monitor{};  ///< host:port of a page, empty: where there is room
   double rate{1.0};
   double wait_s{10.0};
   double patience_s{60.0};
@@ -55,6 +57,13 @@ struct CalibrateCommandOptions {
 };
 [[nodiscard]] ExitCode calibrate_command(const CalibrateCommandOptions& options,
                                          const SensobotEnvironment& environment);
+
+struct MonitorCommandOptions {
+  std::vector<std::string> urls{};  ///< as the other programs printed them
+  std::string at{};                 ///< host:port of the page; empty: where there is room
+};
+[[nodiscard]] ExitCode monitor_command(const MonitorCommandOptions& options,
+                                       const SensobotEnvironment& environment);
 
 struct ReplayCommandOptions {
   std::filesystem::path journal;

@@ -34,6 +34,7 @@ ExitCode run_command(const RunCommandOptions& options, const SensobotEnvironment
   if (!options.no_journal) {
     run.journal = options.journal.value_or(path / "journal");
   }
+  run.monitor = options.monitor;
   run.card_service = environment.card_service;
   run.interruption = pending_interruption;
   run.say = [&](std::string_view line) {

@@ -33,6 +33,10 @@ struct RunOptions {
   bool pictures{true};
   std::optional<std::filesystem::path> tag_log{};
   std::optional<std::filesystem::path> journal{};
+  std::optional<std::string> monitor{};  ///< host:port of a page that shows the run; none: no page
+  double rtf{0.0};                       ///< simulated seconds in a real one; 0: as fast as it goes
+  /// Real seconds that the page stays after the run; none: until Ctrl-C.
+  std::optional<double> monitor_linger_s{};
 };
 [[nodiscard]] Command make_run_command(Deed<RunOptions> deed);
 
@@ -46,6 +50,7 @@ struct ServeOptions {
   bool wait_for_cards{false};
   bool strict_baud{false};
   std::optional<double> end_after_sim_s{};
+  std::optional<std::string> monitor{};  ///< as of RunOptions
 };
 [[nodiscard]] Command make_serve_command(Deed<ServeOptions> deed);
 

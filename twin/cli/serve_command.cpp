@@ -59,6 +59,7 @@ Command make_serve_command(Deed<ServeOptions> deed) {
           "twin serve scenes/house.yaml --out runs/served\n"
           "twin serve scenes/hallway.yaml --llrp 127.0.0.1:5084\n"
           "twin serve scenes/house.yaml --rtf 0.5 --set robot.base.kind=roomba400\n"
+          "twin serve scenes/house.yaml --monitor 0.0.0.0:8420\n"
           "twin serve scenes/lesson_2x2.yaml --rtf max --for 600 --json",
       .set_up =
           [options](CLI::App& app) {
@@ -69,6 +70,7 @@ Command make_serve_command(Deed<ServeOptions> deed) {
                 ->option_text("PATH");
             add_pace_options(app, *options);
             add_wire_options(app, *options);
+            add_monitor_option(app, options->monitor);
           },
       .run = [options, deed = std::move(deed)](Context& context) { return deed(*options, context); },
   };

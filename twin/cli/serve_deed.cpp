@@ -80,7 +80,9 @@ ServerSettings settings_of(const ServeOptions& asked, Context& context, StatusLi
 ExitCode serve_deed(const ServeOptions& asked, Context& context) {
   const Scene scene = scene_of(asked.choice);
   StatusLine line(context);
-  const ServerSettings settings = settings_of(asked, context, line);
+  const auto monitor = monitor_for(asked.monitor, context);
+  ServerSettings settings = settings_of(asked, context, line);
+  settings.telemetry = monitor ? &monitor->hub() : nullptr;
   try {
     Server server(scene, settings);
     const ServeStatus last = server.run([&line](const ServeStatus& status) { line.draw(status); });

@@ -12,6 +12,7 @@
 #include "twin/run/run_recorder.hpp"
 #include "twin/run/tick_loop.hpp"
 #include "twin/run/twin_journal.hpp"
+#include "twin/run/twin_tap.hpp"
 #include "world/free_space.hpp"
 
 namespace sensotwin::twin {
@@ -56,7 +57,10 @@ Summary run_mapping(const Scene& scene, RunFolder& folder, const SceneRunOptions
   MappingTwin twin(scene, journal.on_mapping_wires());
   RunRecorder recorder(folder, options.trace_every);
   JournallingRecorder journalling(recorder, journal);
-  TickLoop loop(options.wall_s);
+  TwinTap tap(options.telemetry, scene, robot_settings_of(scene));
+  TappingRecorder tapping(journalling, tap);
+  recorder.listen(tap.listener());
+  TickLoop loop(options.wall_s, options.pace);
   const auto may_go_on = [&] {
     return !options.keep_going || options.keep_going({.sim_s = robot::to_s(twin.now()),
                                                       .done = static_cast<int>(recorder.found().size()),
@@ -64,7 +68,8 @@ Summary run_mapping(const Scene& scene, RunFolder& folder, const SceneRunOptions
   };
   const robot::Instant limit{robot::from_s(scene.limits.time_limit_s)};
   Summary summary;
-  summary.interrupted = !loop.run(twin, journalling, limit, may_go_on);
+  summary.interrupted = !loop.run(twin, tapping, limit, may_go_on);
+  tap.ended(twin.now(), summary.interrupted);
   recorder.finish();
   const double looped_s = wall_s(options);
 

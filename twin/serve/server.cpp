@@ -14,6 +14,7 @@
 #include "twin/serve/devices_file.hpp"
 #include "twin/serve/pacer.hpp"
 #include "twin/serve/serve_folder.hpp"
+#include "twin/serve/serve_tap.hpp"
 #include "twin/serve/served_twin.hpp"
 
 namespace sensotwin::twin {
@@ -60,6 +61,7 @@ struct Server::State {
         folder(settings.folder),
         twin(scene),
         wires(twin, settings.wires, folder.path(), settings.warn),
+        tap(settings.telemetry, scene),
         begun_s(settings.wall_s()),
         pacer(settings.factor, begun_s) {}
 
@@ -72,6 +74,7 @@ struct Server::State {
   ServeFolder folder;
   ServedTwin twin;
   ServedWires wires;
+  ServeTap tap;
   double begun_s;
   Pacer pacer;
   std::vector<pollfd> handles;
@@ -92,6 +95,7 @@ void Server::State::tick_or_sleep(double wall_s) {
   const double wait_s = waits ? kCardLook_s : pacer.wait_s(wall_s, follows);
   if (wait_s <= 0.0) {
     twin.tick();
+    tap.after_tick(twin);
     pacer.tick(wall_s);
     return;
   }
@@ -144,7 +148,9 @@ ServeStatus Server::run(const std::function<void(const ServeStatus&)>& show) {
       show_at_s = wall_s + kShowEvery_s;
       state.announce();
       state.wires.tell(state.settings.say, state.settings.warn);
-      show(state.status());
+      const ServeStatus status = state.status();
+      state.tap.show(state.twin.now(), status);
+      show(status);
     }
   }
   const ServeStatus last = state.status();

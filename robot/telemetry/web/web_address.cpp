@@ -63,6 +63,14 @@ std::optional<WebAddress> web_address(std::string_view text) {
   return address;
 }
 
+std::string complaint_about_web_address(const std::string& text) {
+  return text.empty() || web_address(text)
+             ? std::string{}
+             : "'" + text +
+                   "' is no address to serve a page at: host:port, :port or host, the host in figures "
+                   "(0.0.0.0: all of this machine's)";
+}
+
 bool is_loopback(std::string_view host) {
   return host == "localhost" || host == "::1" || host.starts_with("127.");
 }

@@ -19,6 +19,9 @@ struct WebAddress {
 /// "host:port", "[::1]:port", "host", ":port" or "port", of 127.0.0.1 when no host is named; nothing for
 /// anything else. Hosts are addresses in figures, or localhost.
 [[nodiscard]] std::optional<WebAddress> web_address(std::string_view text);
+/// For command lines: what is wrong with an address, in words; empty where nothing is, or where none is
+/// given.
+[[nodiscard]] std::string complaint_about_web_address(const std::string& text);
 /// Only programs of this machine reach it.
 [[nodiscard]] bool is_loopback(std::string_view host);
 /// "127.0.0.1:8080", "[::1]:8080"

@@ -385,7 +385,7 @@ export class Drawing {
       context.fillRect(-8, -8, 16, 16);
       context.strokeRect(-8, -8, 16, 16);
       context.restore();
-      haloText(context, `${tag.name}  ${tag.height_m} m`, { x: at.x + 16, y: at.y }, { colour: theme.ink, halo: theme.plan, bold: true, align: "left" });
+      haloText(context, `${tag.name}  ${tag.height_m} m`, { x: at.x, y: at.y - 21 }, { colour: theme.ink, halo: theme.plan, bold: true });
     });
   }
 

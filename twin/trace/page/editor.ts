@@ -35,6 +35,8 @@ export class Editor {
   sceneShown = false;
   naming: api.Naming = { name: "plan", hallways_file: "plan.hallways.yaml" };
   stamps: Record<string, string> = {};
+  /** Questions that the server has not answered yet. */
+  private waiting = 0;
   private readonly listeners: (() => void)[] = [];
   private checkTimer = 0;
   private sceneTimer = 0;
@@ -70,12 +72,31 @@ export class Editor {
 
   /** Everything said by the server is about the document as it was asked. */
   soonCheck(): void {
-    window.clearTimeout(this.checkTimer);
-    this.checkTimer = window.setTimeout(() => void this.check(), checkAfter_ms);
+    this.checkTimer = this.later(this.checkTimer, checkAfter_ms, () => this.check());
     if (this.sceneShown) {
-      window.clearTimeout(this.sceneTimer);
-      this.sceneTimer = window.setTimeout(() => void this.tryScene(), sceneAfter_ms);
+      this.sceneTimer = this.later(this.sceneTimer, sceneAfter_ms, () => this.tryScene());
     }
+  }
+  /** Whether what is shown of the checks may be out of date. */
+  get busy(): boolean {
+    return this.waiting > 0;
+  }
+  private later(timer: number, after_ms: number, ask: () => Promise<void>): number {
+    window.clearTimeout(timer);
+    this.waiting += timer === 0 ? 1 : 0;
+    const now = window.setTimeout(() => {
+      // From here on a further change asks anew, and this answer is one too many at most.
+      if (now === this.checkTimer) {
+        this.checkTimer = 0;
+      } else {
+        this.sceneTimer = 0;
+      }
+      void ask().finally(() => {
+        this.waiting -= 1;
+        this.changed();
+      });
+    }, after_ms);
+    return now;
   }
   async check(): Promise<void> {
     const asked = this.doc;

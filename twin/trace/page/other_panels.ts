@@ -113,7 +113,7 @@ export function scenePanel(editor: Editor, saveScene: () => void): Node[] {
     el("div", { class: "pair" },
       choiceField({ key: "walls", label: "Walls", value: scene.walls, choices: walls }, (value) => set("walls", (s) => (s.walls = value as Scene["walls"]))),
       numberField({ key: "seed", label: "Seed", value: scene.seed, min: 0, max: 4294967295, step: 1 }, (seed) => set("seed", (s) => (s.seed = Math.floor(seed))))),
-    ...(scene.kind === "hallway" ? hallwayFields(scene, names, set) : scene.kind === "carpet" ? carpetFields(scene, set) : ceilingFields(editor, scene, set)),
+    ...(scene.kind === "hallway" ? hallwayFields(scene, names, set) : scene.kind === "carpet" ? carpetFields(scene, set) : ceilingFields(scene, set)),
     el("p", { class: "soft" }, start ? `Starts at ${start.x.toFixed(2)}, ${start.y.toFixed(2)} m, heading ${start.heading_deg}°. `
       : scene.kind === "ceiling" ? "Press with the Start tool (P) where the robot starts. " : "Starts where the twin finds room; or press with the Start tool (P). ",
       ...(start ? [button("Remove start", () => set("start", (s) => (s.start = null)))] : [])),
@@ -142,7 +142,7 @@ function carpetFields(scene: Scene, set: Set): Node[] {
     })),
     choiceField({ key: "explorer", label: "Explorer", value: scene.explorer, choices: explorers }, (explorer) => set("explorer", (s) => (s.explorer = explorer))))];
 }
-function ceilingFields(editor: Editor, scene: Scene, set: Set): Node[] {
+function ceilingFields(scene: Scene, set: Set): Node[] {
   const rows = scene.ceiling.map((tag, i) =>
     el("tr", {},
       el("td", {}, textField({ key: `ceiling name ${i}`, label: `Name of tag ${i + 1}`, hidden: true, value: tag.name }, (name) => set("tag name", (s) => {
@@ -165,7 +165,6 @@ function ceilingFields(editor: Editor, scene: Scene, set: Set): Node[] {
     button("Add ceiling tag", () => set("ceiling tag", (s) => {
       const last = s.ceiling.at(-1);
       s.ceiling.push({ name: `T${s.ceiling.length + 1}`, at: { x: (last?.at.x ?? -2) + 2, y: last?.at.y ?? 0 }, height_m: last?.height_m ?? 3 });
-      void editor;
     })),
   ];
 }
@@ -184,11 +183,11 @@ function sceneVerdict(editor: Editor): Node[] {
 export function problemList(editor: Editor): Node[] {
   const all = [...editor.problems].sort((a, b) => Number(b.level === "error") - Number(a.level === "error"));
   const errors = all.filter((problem) => problem.level === "error").length;
-  const hallwayDoc = editor.doc.places.length > 0;
-  const verdict = errors > 0 ? `${errors} ${errors === 1 ? "mistake" : "mistakes"}` : all.length > 0 ? `Sound, ${all.length} to look at` : hallwayDoc ? "Sound" : "Nothing drawn yet";
+  const drawn = editor.doc.places.length > 0;
+  const verdict = errors > 0 ? `${errors} ${errors === 1 ? "mistake" : "mistakes"}` : all.length > 0 ? `Sound, ${all.length} to look at` : drawn ? "Sound" : "No hallways drawn";
   return [
     el("h2", {}, "Check"),
-    el("p", { role: "status", class: errors > 0 ? "bad" : "good" }, verdict, metric(editor.doc) ? "" : " – no scale yet"),
+    el("p", { role: "status", class: errors > 0 ? "bad" : drawn ? "good" : "soft" }, verdict, metric(editor.doc) ? "" : " – no scale yet"),
     el("ul", { class: "list" }, ...all.map((problem) => el("li", {}, problemItem(editor, problem)))),
   ];
 }

@@ -130,7 +130,7 @@ class Page {
       ["Try", ["route"]],
       ["Scene", ["start", "room", "carpet", "ceiling"]],
     ];
-    return el("section", { class: "tools", "aria-label": "Tools" }, el("div", { class: "toolbar", role: "toolbar", "aria-label": "Tools", tabindex: "0" },
+    return el("section", { class: "tools", "aria-label": "Tools" }, el("div", { class: "toolbar", role: "toolbar", "aria-label": "Tools" },
       ...groups.map(([title, names]) => el("div", { class: "group", role: "group", "aria-label": title }, el("span", { class: "group-title", "aria-hidden": "true" }, title),
         ...names.map((name) => {
           const tool = this.tools.find((each) => each.name === name) as Tool;
@@ -216,6 +216,7 @@ class Page {
     };
     remade(this.panel, content[this.tab]());
     remade(this.problems, problemList(editor));
+    this.problems.setAttribute("aria-busy", String(editor.busy));
     this.undo.disabled = editor.history.undoable === null;
     this.redo.disabled = editor.history.redoable === null;
     this.undo.title = editor.history.undoable ? `Undo: ${editor.history.undoable}` : "Nothing to undo";

@@ -15,7 +15,7 @@ export interface Box {
 const leastScale = 2;
 const mostScale = 2000;
 /** Of the canvas, left free round what is shown. */
-const margin = 0.06;
+const margin = 0.03;
 /** A press that moved less is a click: a finger trembles so much (CSS pixels). */
 const clickSlop = 6;
 
@@ -107,12 +107,16 @@ export class PlanView {
     });
   }
 
-  /** Shows the whole of a box. */
-  fit(box: Box): void {
+  /** Shows the whole of a box, clear of what stands on the canvas at its top and bottom (pixels). */
+  fit(box: Box, top = 0, bottom = 0): void {
     const wide = Math.max(box.high.x - box.low.x, 0.5);
     const high = Math.max(box.high.y - box.low.y, 0.5);
-    this.centre = { x: (box.low.x + box.high.x) / 2, y: (box.low.y + box.high.y) / 2 };
-    this.setScale(Math.min((this.width * (1 - 2 * margin)) / wide, (this.height * (1 - 2 * margin)) / high));
+    const free = Math.max(this.height - top - bottom, 50);
+    this.setScale(Math.min((this.width * (1 - 2 * margin)) / wide, (free * (1 - 2 * margin)) / high));
+    this.centre = {
+      x: (box.low.x + box.high.x) / 2,
+      y: (box.low.y + box.high.y) / 2 + (top - bottom) / 2 / this.scale_,
+    };
     this.touched_ = false;
     this.redraw();
   }

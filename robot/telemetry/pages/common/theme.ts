@@ -4,6 +4,8 @@
 const names = [
   "paper", "card", "line", "ink", "soft-ink", "accent", "good", "warn", "bad",
   "plan", "wall", "robot", "trail", "tag", "landmark", "estimate",
+  "furniture", "furniture-edge", "furniture-ink", "felt",
+  "tile-open", "tile-closed", "tile-given-up", "tile-edge", "tile-mark", "tile-open-mark",
 ] as const;
 export type ColourName = (typeof names)[number];
 export type Theme = Record<ColourName, string>;

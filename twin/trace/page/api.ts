@@ -86,7 +86,9 @@ export const check = (document: unknown) => post<CheckAnswer>("check", { documen
 export const route = (document: unknown, from: string, to: string, blocked: [string, Letter][]) =>
   post<RouteAnswer>("route", { document, from, to, blocked });
 export const upload = (file: File) =>
-  asked<Opened>(() => write("POST", `/api/upload?name=${encodeURIComponent(file.name)}`, file, "application/octet-stream"));
+  asked<Opened>(() =>
+    write("POST", `/api/upload?name=${encodeURIComponent(file.name)}`, file, "application/octet-stream"),
+  );
 
 export interface Naming {
   name: string;
@@ -101,7 +103,12 @@ export async function save(
   how: { scene: boolean; overwrite: boolean; stamps: Record<string, string> },
 ): Promise<SaveAnswer> {
   try {
-    const response = await write("POST", "/api/save", JSON.stringify({ document, ...naming, ...how }), "application/json");
+    const response = await write(
+      "POST",
+      "/api/save",
+      JSON.stringify({ document, ...naming, ...how }),
+      "application/json",
+    );
     return (await response.json()) as SaveAnswer;
   } catch (error) {
     if (!(error instanceof Refused)) {

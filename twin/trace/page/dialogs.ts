@@ -11,7 +11,13 @@ function ask(title: string, content: (Node | string)[], buttons: [string, string
     { method: "dialog" },
     el("h2", { class: "title" }, title),
     ...content,
-    el("div", { class: "row end" }, ...buttons.map(([value, text], i) => el("button", { value, class: i === buttons.length - 1 ? "primary" : "" }, text))),
+    el(
+      "div",
+      { class: "row end" },
+      ...buttons.map(([value, text], i) =>
+        el("button", { value, class: i === buttons.length - 1 ? "primary" : "" }, text),
+      ),
+    ),
   );
   // Enter answers with the last button, not with the first.
   form.addEventListener("keydown", (event) => {
@@ -34,9 +40,29 @@ function ask(title: string, content: (Node | string)[], buttons: [string, string
 
 /** How long a line is that was drawn on the plan; null: never mind. */
 export async function askLength(drawn: number, scaled: boolean): Promise<number | null> {
-  const input = el("input", { type: "number", min: 0.01, step: "any", required: true, value: scaled ? drawn.toFixed(2) : "", id: "line-length", class: "figures" });
-  const field = el("div", { class: "field" }, el("label", { class: "label", for: "line-length" }, "Length of the line, m"), input);
-  const answer = ask("How long is it?", [field, el("p", { class: "soft" }, "Everything drawn on the plan stays on it.")], [["", "Cancel"], ["ok", "Set scale"]]);
+  const input = el("input", {
+    type: "number",
+    min: 0.01,
+    step: "any",
+    required: true,
+    value: scaled ? drawn.toFixed(2) : "",
+    id: "line-length",
+    class: "figures",
+  });
+  const field = el(
+    "div",
+    { class: "field" },
+    el("label", { class: "label", for: "line-length" }, "Length of the line, m"),
+    input,
+  );
+  const answer = ask(
+    "How long is it?",
+    [field, el("p", { class: "soft" }, "Everything drawn on the plan stays on it.")],
+    [
+      ["", "Cancel"],
+      ["ok", "Set scale"],
+    ],
+  );
   input.focus();
   input.select();
   return (await answer) === "ok" && input.valueAsNumber > 0 ? input.valueAsNumber : null;
@@ -46,36 +72,73 @@ export async function askOverwrite(names: string[]): Promise<"overwrite" | "relo
   const answer = await ask(
     "Changed by somebody else",
     [
-      el("p", {}, "Since you opened or saved them, these files were written by another program, or were there before:"),
+      el(
+        "p",
+        {},
+        "Since you opened or saved them, these files were written by another program, or were there before:",
+      ),
       el("ul", {}, ...names.map((name) => el("li", {}, el("code", {}, name)))),
       el("p", { class: "soft" }, "Cancel keeps both: save under another name."),
     ],
-    [["", "Cancel"], ["reload", "Open theirs"], ["overwrite", "Overwrite"]],
+    [
+      ["", "Cancel"],
+      ["reload", "Open theirs"],
+      ["overwrite", "Overwrite"],
+    ],
   );
   return answer === "overwrite" || answer === "reload" ? answer : "";
 }
 
 export async function askLeave(): Promise<boolean> {
-  return (await ask("Unsaved changes", [el("p", {}, "What you drew since the last save would be lost.")], [["", "Keep drawing"], ["ok", "Go on"]])) === "ok";
+  return (
+    (await ask(
+      "Unsaved changes",
+      [el("p", {}, "What you drew since the last save would be lost.")],
+      [
+        ["", "Keep drawing"],
+        ["ok", "Go on"],
+      ],
+    )) === "ok"
+  );
 }
 
 const kinds: Record<FileEntry["kind"], string> = {
-  tracing: "tracing", hallways: "hallway map", map: "map_server map", picture: "picture", scene: "scene",
+  tracing: "tracing",
+  hallways: "hallway map",
+  map: "map_server map",
+  picture: "picture",
+  scene: "scene",
 };
 /** A file of the folder, a picture from this machine, or nothing. */
 export async function askOpen(folder: string, files: FileEntry[]): Promise<{ name: string } | { file: File } | null> {
   const upload = el("input", { type: "file", accept: ".png,.pgm,image/png", id: "upload", class: "visually-hidden" });
   const openable = files.filter((file) => file.kind !== "scene");
-  const items = openable.map((file) => el("li", {}, el("button", { value: `f:${file.name}`, class: "item" }, el("b", {}, file.name), el("span", { class: "soft" }, kinds[file.kind]))));
+  const items = openable.map((file) =>
+    el(
+      "li",
+      {},
+      el(
+        "button",
+        { value: `f:${file.name}`, class: "item" },
+        el("b", {}, file.name),
+        el("span", { class: "soft" }, kinds[file.kind]),
+      ),
+    ),
+  );
   const picker = el("label", { for: "upload", class: "as-button" }, "Picture from this machine …");
   const answer = ask(
     "Open",
     [
       el("p", { class: "soft" }, folder),
-      openable.length > 0 ? el("ul", { class: "list tall" }, ...items) : el("p", {}, "Nothing in this folder that could be opened."),
+      openable.length > 0
+        ? el("ul", { class: "list tall" }, ...items)
+        : el("p", {}, "Nothing in this folder that could be opened."),
       el("div", { class: "row" }, upload, picker),
     ],
-    [["", "Cancel"], ["new", "New sheet"]],
+    [
+      ["", "Cancel"],
+      ["new", "New sheet"],
+    ],
   );
   const dialog = upload.closest("dialog");
   upload.addEventListener("change", () => dialog?.close("upload"));
@@ -100,10 +163,24 @@ export async function showHelp(tools: { label: string; key: string; hint: string
   await ask(
     "Tools and keys",
     [
-      el("p", { class: "soft" }, "Letters and arrows work while the drawing has the focus. Touch: one finger draws, two move and magnify."),
-      el("div", { class: "help", tabindex: "0", role: "group", "aria-label": "Tools and keys" },
-        el("dl", {}, ...tools.flatMap((tool) => [el("dt", {}, el("kbd", {}, tool.key.toUpperCase()), ` ${tool.label}`), el("dd", {}, tool.hint)])),
-        el("dl", {}, ...keys.flatMap(([key, what]) => [el("dt", {}, el("kbd", {}, key)), el("dd", {}, what)]))),
+      el(
+        "p",
+        { class: "soft" },
+        "Letters and arrows work while the drawing has the focus. Touch: one finger draws, two move and magnify.",
+      ),
+      el(
+        "div",
+        { class: "help", tabindex: "0", role: "group", "aria-label": "Tools and keys" },
+        el(
+          "dl",
+          {},
+          ...tools.flatMap((tool) => [
+            el("dt", {}, el("kbd", {}, tool.key.toUpperCase()), ` ${tool.label}`),
+            el("dd", {}, tool.hint),
+          ]),
+        ),
+        el("dl", {}, ...keys.flatMap(([key, what]) => [el("dt", {}, el("kbd", {}, key)), el("dd", {}, what)])),
+      ),
     ],
     [["", "Close"]],
   );

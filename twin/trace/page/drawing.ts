@@ -1,11 +1,23 @@
 // SPDX-License-Identifier: MIT
 // The drawing: a plan under hallways, places, their tags by side, what a scene adds, and the way that was planned.
-import { haloText, planLine, robotGlyph, scaleBar } from "../../../robot/telemetry/pages/common/draw";
+import { haloText, planLine, scaleBar } from "../../../robot/telemetry/pages/common/draw";
 import type { PlanView, Point } from "../../../robot/telemetry/pages/common/plan_view";
 import type { Theme } from "../../../robot/telemetry/pages/common/theme";
 import type { Editor } from "./editor";
-import { hallways, lengthOf, letters, metric, opposite, placeByName, step, type Letter, type Place, type Side } from "./model";
+import {
+  hallways,
+  lengthOf,
+  letters,
+  metric,
+  opposite,
+  placeByName,
+  step,
+  type Letter,
+  type Place,
+  type Side,
+} from "./model";
 import type { Picture } from "./picture";
+import { SceneDrawing } from "./scene_drawing";
 
 const family = 'system-ui, -apple-system, "Segoe UI", Roboto, "Noto Sans", "DejaVu Sans", sans-serif';
 /** CSS pixels: a tag's chip never comes nearer to its place than this. */
@@ -16,17 +28,20 @@ const pillHeight = 24;
 type Context = CanvasRenderingContext2D;
 
 export class Drawing {
+  private readonly scene: SceneDrawing;
+
   constructor(
     private readonly editor: Editor,
     private readonly picture: Picture,
     public theme: Theme,
-  ) {}
+  ) {
+    this.scene = new SceneDrawing(editor);
+  }
 
   draw(context: Context, view: PlanView): void {
     this.picture.draw(context, view, this.editor.doc.plan, this.theme);
     this.grid(context, view);
-    this.carpet(context, view);
-    this.room(context, view);
+    this.scene.below(context, view, this.theme);
     this.hallwayLines(context, view);
     this.routeLine(context, view);
     for (const place of this.editor.doc.places) {
@@ -35,8 +50,7 @@ export class Drawing {
     for (const place of this.editor.doc.places) {
       this.place(context, view, place);
     }
-    this.ceiling(context, view);
-    this.start(context, view);
+    this.scene.above(context, view, this.theme);
     if (metric(this.editor.doc)) {
       scaleBar(context, view, { x: 18, y: view.height - 18 }, this.theme);
     }
@@ -85,7 +99,10 @@ export class Drawing {
     context.globalAlpha = 1;
     context.lineCap = "round";
     for (const { a, b, letter } of drawn) {
-      const selected = chosen?.kind === "hallway" && ((chosen.id === a.id && chosen.letter === letter) || (chosen.id === b.id && chosen.letter === opposite(letter)));
+      const selected =
+        chosen?.kind === "hallway" &&
+        ((chosen.id === a.id && chosen.letter === letter) ||
+          (chosen.id === b.id && chosen.letter === opposite(letter)));
       const blocked = editor.isBlocked(a, letter, b);
       planLine(context, view, [a.at, b.at]);
       context.strokeStyle = blocked ? theme.bad : theme.accent;
@@ -108,7 +125,11 @@ export class Drawing {
     }
     const text = length === null ? "? m" : `${Number(length.toFixed(2))} m`;
     const at = { x: (a.x + b.x) / 2 + (upright ? 8 : 0), y: (a.y + b.y) / 2 - (upright ? 0 : 11) };
-    haloText(context, text, at, { colour: this.theme["soft-ink"], halo: this.theme.plan, align: upright ? "left" : "center" });
+    haloText(context, text, at, {
+      colour: this.theme["soft-ink"],
+      halo: this.theme.plan,
+      align: upright ? "left" : "center",
+    });
   }
 
   private pill(place: Place, context: Context): number {
@@ -175,7 +196,12 @@ export class Drawing {
     context.fill();
     context.lineWidth = 2;
     context.stroke();
-    haloText(context, "?", { x: end.x, y: end.y + 0.5 }, { colour: this.theme.warn, halo: this.theme.card, px: 14, bold: true });
+    haloText(
+      context,
+      "?",
+      { x: end.x, y: end.y + 0.5 },
+      { colour: this.theme.warn, halo: this.theme.card, px: 14, bold: true },
+    );
     this.chip(context, view, at, end, side, edge, long - 11);
   }
 
@@ -231,7 +257,13 @@ export class Drawing {
     const worst = editor.worstOf(place.name);
     const box = (grow: number) => {
       context.beginPath();
-      context.roundRect(at.x - wide / 2 - grow, at.y - pillHeight / 2 - grow, wide + 2 * grow, pillHeight + 2 * grow, pillHeight / 2 + grow);
+      context.roundRect(
+        at.x - wide / 2 - grow,
+        at.y - pillHeight / 2 - grow,
+        wide + 2 * grow,
+        pillHeight + 2 * grow,
+        pillHeight / 2 + grow,
+      );
     };
     if (selected) {
       box(5);
@@ -256,7 +288,12 @@ export class Drawing {
       context.arc(at.x + wide / 2 - 1, at.y - pillHeight / 2 + 1, 7.5, 0, 2 * Math.PI);
       context.fillStyle = theme.bad;
       context.fill();
-      haloText(context, "!", { x: at.x + wide / 2 - 1, y: at.y - pillHeight / 2 + 1.5 }, { colour: theme.plan, halo: theme.bad, px: 11, bold: true });
+      haloText(
+        context,
+        "!",
+        { x: at.x + wide / 2 - 1, y: at.y - pillHeight / 2 + 1.5 },
+        { colour: theme.plan, halo: theme.bad, px: 11, bold: true },
+      );
     }
   }
 
@@ -270,14 +307,20 @@ export class Drawing {
     }
     context.lineJoin = "round";
     context.lineCap = "round";
-    for (const [colour, width] of [[this.theme.plan, 11], [this.theme.robot, 6]] as const) {
+    for (const [colour, width] of [
+      [this.theme.plan, 11],
+      [this.theme.robot, 6],
+    ] as const) {
       planLine(context, view, points);
       context.strokeStyle = colour;
       context.lineWidth = width;
       context.stroke();
     }
     points.slice(1).forEach((b, i) => this.arrow(context, view.toScreen(points[i] as Point), view.toScreen(b)));
-    for (const [p, ring] of [[points[0], 19], [points.at(-1), 19]] as const) {
+    for (const [p, ring] of [
+      [points[0], 19],
+      [points.at(-1), 19],
+    ] as const) {
       const at = view.toScreen(p as Point);
       context.beginPath();
       context.arc(at.x, at.y, ring, 0, 2 * Math.PI);
@@ -302,99 +345,5 @@ export class Drawing {
     context.stroke();
     context.fill();
     context.restore();
-  }
-
-  private carpet(context: Context, view: PlanView): void {
-    const { editor, theme } = this;
-    const scene = editor.doc.scene;
-    if (scene.kind !== "carpet") {
-      return;
-    }
-    const answer = editor.scene;
-    if (answer?.tiles && answer.tile_origin_m && answer.tile_m) {
-      const side = answer.tile_m * view.scale;
-      const dead = new Set(scene.unreadable.map(String));
-      for (const [column, row] of answer.tiles) {
-        const at = view.toScreen({ x: answer.tile_origin_m[0] + column * answer.tile_m, y: answer.tile_origin_m[1] + (row + 1) * answer.tile_m });
-        const unreadable = dead.has(String([column, row]));
-        context.fillStyle = unreadable ? theme.bad : theme.landmark;
-        context.globalAlpha = unreadable ? 0.35 : 0.16;
-        context.fillRect(at.x, at.y, side, side);
-        context.globalAlpha = 0.5;
-        context.strokeStyle = theme.landmark;
-        context.lineWidth = 1;
-        context.strokeRect(at.x + 0.5, at.y + 0.5, side - 1, side - 1);
-        context.globalAlpha = 1;
-        if (side > 9) {
-          context.beginPath();
-          context.arc(at.x + side / 2, at.y + side / 2, Math.min(3, side / 8), 0, 2 * Math.PI);
-          context.fillStyle = unreadable ? theme.bad : theme.tag;
-          context.fill();
-        }
-      }
-    }
-    if (scene.region) {
-      const [a, b] = scene.region;
-      planLine(context, view, [a, { x: b.x, y: a.y }, b, { x: a.x, y: b.y }], true);
-      context.strokeStyle = theme.landmark;
-      context.lineWidth = 2;
-      context.setLineDash([8, 5]);
-      context.stroke();
-      context.setLineDash([]);
-    }
-  }
-
-  private room(context: Context, view: PlanView): void {
-    const { room, walls } = this.editor.doc.scene;
-    if (room.length === 0 || (walls !== "room" && room.length > 2)) {
-      return;
-    }
-    planLine(context, view, room, true);
-    context.lineWidth = 4;
-    context.lineJoin = "miter";
-    context.strokeStyle = this.theme.wall;
-    context.stroke();
-    for (const corner of room) {
-      const at = view.toScreen(corner);
-      context.fillStyle = this.theme.wall;
-      context.fillRect(at.x - 4, at.y - 4, 8, 8);
-    }
-  }
-
-  private ceiling(context: Context, view: PlanView): void {
-    const { editor, theme } = this;
-    const tags = editor.doc.scene.ceiling;
-    if (tags.length === 0 || editor.doc.scene.kind !== "ceiling") {
-      return;
-    }
-    planLine(context, view, tags.map((tag) => tag.at));
-    context.strokeStyle = theme.tag;
-    context.lineWidth = 1.5;
-    context.setLineDash([3, 5]);
-    context.stroke();
-    context.setLineDash([]);
-    tags.forEach((tag, i) => {
-      const at = view.toScreen(tag.at);
-      const selected = editor.selection?.kind === "ceiling" && editor.selection.index === i;
-      context.save();
-      context.translate(at.x, at.y);
-      context.rotate(Math.PI / 4);
-      context.fillStyle = theme.tag;
-      context.strokeStyle = selected ? theme.accent : theme.plan;
-      context.lineWidth = selected ? 4 : 2;
-      context.fillRect(-8, -8, 16, 16);
-      context.strokeRect(-8, -8, 16, 16);
-      context.restore();
-      haloText(context, `${tag.name}  ${tag.height_m} m`, { x: at.x, y: at.y - 21 }, { colour: theme.ink, halo: theme.plan, bold: true });
-    });
-  }
-
-  private start(context: Context, view: PlanView): void {
-    const start = this.editor.doc.scene.start;
-    if (!start || !this.editor.sceneShown) {
-      return;
-    }
-    const yaw = (start.heading_deg * Math.PI) / 180;
-    robotGlyph(context, view, { ...start, yaw }, 0.17, this.theme.robot, this.theme.plan);
   }
 }

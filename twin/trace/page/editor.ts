@@ -5,8 +5,17 @@ import * as api from "./api";
 import { docJson, type FileProblem } from "./files";
 import { History } from "./history";
 import {
-  distance, emptyDoc, hallways, letters, metric, placeById, placeByName, step,
-  type Doc, type Letter, type Place,
+  distance,
+  emptyDoc,
+  hallways,
+  letters,
+  metric,
+  placeById,
+  placeByName,
+  step,
+  type Doc,
+  type Letter,
+  type Place,
 } from "./model";
 
 export type Selection =
@@ -35,8 +44,8 @@ export class Editor {
   sceneShown = false;
   naming: api.Naming = { name: "plan", hallways_file: "plan.hallways.yaml" };
   stamps: Record<string, string> = {};
-  /** Questions that the server has not answered yet. */
-  private waiting = 0;
+  /** Questions that the server has not answered yet; the first is what there is to open. */
+  private waiting = 1;
   private readonly listeners: (() => void)[] = [];
   private checkTimer = 0;
   private sceneTimer = 0;
@@ -65,6 +74,15 @@ export class Editor {
     this.selection = selection;
     this.changed();
   }
+  /** What was asked about another drawing. */
+  forget(): void {
+    this.selection = null;
+    this.route = null;
+    this.routeFrom = "";
+    this.routeTo = "";
+    this.blocked = [];
+    this.scene = null;
+  }
   get selectedPlace(): Place | null {
     const chosen = this.selection;
     return chosen && chosen.kind !== "ceiling" ? (placeById(this.doc, chosen.id) ?? null) : null;
@@ -80,6 +98,11 @@ export class Editor {
   /** Whether what is shown of the checks may be out of date. */
   get busy(): boolean {
     return this.waiting > 0;
+  }
+  /** What there is to open has been opened. */
+  begun(): void {
+    this.waiting -= 1;
+    this.changed();
   }
   private later(timer: number, after_ms: number, ask: () => Promise<void>): number {
     window.clearTimeout(timer);
@@ -176,7 +199,11 @@ export class Editor {
     return found.some((problem) => problem.level === "error") ? "error" : found.length > 0 ? "advice" : null;
   }
   isBlocked(a: Place, letter: Letter, b: Place): boolean {
-    return this.blocked.some(([name, side]) => (name === a.name && side === letter) || (name === b.name && step[side].x === -step[letter].x && step[side].y === -step[letter].y));
+    return this.blocked.some(
+      ([name, side]) =>
+        (name === a.name && side === letter) ||
+        (name === b.name && step[side].x === -step[letter].x && step[side].y === -step[letter].y),
+    );
   }
   metres(value: number): string {
     return metric(this.doc) ? `${value.toFixed(2)} m` : `${value.toFixed(2)} ?`;

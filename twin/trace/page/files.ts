@@ -2,8 +2,21 @@
 // Between the page's document and what the server reads and writes (twin/trace/trace_document.hpp).
 import type { Point } from "../../../robot/telemetry/pages/common/plan_view";
 import {
-  distance, emptyDoc, lengthOf, letters, metric, opposite, placeByName, rounded, step,
-  type Doc, type Letter, type Place, type Plan, type Scene, type Side,
+  distance,
+  emptyDoc,
+  lengthOf,
+  letters,
+  metric,
+  opposite,
+  placeByName,
+  rounded,
+  step,
+  type Doc,
+  type Letter,
+  type Place,
+  type Plan,
+  type Scene,
+  type Side,
 } from "./model";
 
 type Json = Record<string, unknown>;
@@ -72,7 +85,12 @@ function readSide(json: Json, place: Place, doc: Doc, guessed: boolean): Side {
     extra,
   };
   // A length that was drawn follows the drawing; only one that somebody typed stays.
-  if (other && !guessed && typeof side.length === "number" && Math.abs(distance(place.at, other.at) - side.length) < 0.011) {
+  if (
+    other &&
+    !guessed &&
+    typeof side.length === "number" &&
+    Math.abs(distance(place.at, other.at) - side.length) < 0.011
+  ) {
     side.length = "drawn";
   }
   return side;
@@ -160,7 +178,18 @@ function mendBackways(doc: Doc): void {
 
 function readScene(scene: Scene, json: Json): void {
   const known = emptyDoc().scene as unknown as Json;
-  for (const key of ["kind", "walls", "title", "seed", "from", "to", "survey", "explorer", "controller", "radio"] as const) {
+  for (const key of [
+    "kind",
+    "walls",
+    "title",
+    "seed",
+    "from",
+    "to",
+    "survey",
+    "explorer",
+    "controller",
+    "radio",
+  ] as const) {
     if (typeof json[key] === typeof known[key]) {
       (scene as unknown as Json)[key] = json[key];
     }

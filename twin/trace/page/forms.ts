@@ -30,11 +30,26 @@ function labelled(field: HTMLElement, options: FieldOptions): HTMLElement {
   field.id = id;
   field.dataset["key"] = options.key;
   const label = el("label", { for: id, class: options.hidden ? "visually-hidden" : "label" }, options.label);
-  return el("div", { class: "field" }, label, field, ...(options.note ? [el("p", { class: "soft note" }, options.note)] : []));
+  return el(
+    "div",
+    { class: "field" },
+    label,
+    field,
+    ...(options.note ? [el("p", { class: "soft note" }, options.note)] : []),
+  );
 }
 
-export function textField(options: FieldOptions & { value: string; placeholder?: string }, take: (value: string) => void): HTMLElement {
-  const input = el("input", { type: "text", value: options.value, placeholder: options.placeholder ?? "", autocomplete: "off", spellcheck: "false" });
+export function textField(
+  options: FieldOptions & { value: string; placeholder?: string },
+  take: (value: string) => void,
+): HTMLElement {
+  const input = el("input", {
+    type: "text",
+    value: options.value,
+    placeholder: options.placeholder ?? "",
+    autocomplete: "off",
+    spellcheck: "false",
+  });
   input.addEventListener("change", () => take(input.value.trim()));
   return labelled(input, options);
 }
@@ -43,7 +58,14 @@ export function numberField(
   options: FieldOptions & { value: number; min: number; max: number; step?: number },
   take: (value: number) => void,
 ): HTMLElement {
-  const input = el("input", { type: "number", value: options.value, min: options.min, max: options.max, step: options.step ?? "any", class: "figures" });
+  const input = el("input", {
+    type: "number",
+    value: options.value,
+    min: options.min,
+    max: options.max,
+    step: options.step ?? "any",
+    class: "figures",
+  });
   input.addEventListener("change", () => {
     const value = input.valueAsNumber;
     const good = Number.isFinite(value) && value >= options.min && value <= options.max;
@@ -58,7 +80,11 @@ export function choiceField(
   options: FieldOptions & { value: string; choices: readonly (readonly [string, string])[] },
   take: (value: string) => void,
 ): HTMLElement {
-  const select = el("select", {}, ...options.choices.map(([value, text]) => el("option", { value, selected: value === options.value }, text)));
+  const select = el(
+    "select",
+    {},
+    ...options.choices.map(([value, text]) => el("option", { value, selected: value === options.value }, text)),
+  );
   select.addEventListener("change", () => take(select.value));
   return labelled(select, options);
 }
@@ -69,6 +95,10 @@ export function checkField(options: FieldOptions & { value: boolean }, take: (va
   field.classList.add("check");
   return field;
 }
-export function button(text: string, run: () => void, attributes: Record<string, string | boolean> = {}): HTMLButtonElement {
+export function button(
+  text: string,
+  run: () => void,
+  attributes: Record<string, string | boolean> = {},
+): HTMLButtonElement {
   return el("button", { type: "button", "data-key": text, ...attributes, onclick: run }, text);
 }

@@ -5,12 +5,15 @@ import type { PlanView, Point } from "../../../robot/telemetry/pages/common/plan
 import type { Theme } from "../../../robot/telemetry/pages/common/theme";
 import type { Editor } from "./editor";
 import { rounded } from "./model";
-import type { Tool } from "./tools";
+import type { Tool } from "./stroke";
 
 /** Chosen: a quarter of a hallway's width; walks of a hallway; a hand's breadth. */
 const stride_m = { plain: 0.5, shift: 5, alt: 0.1 };
 const arrows: Record<string, Point> = {
-  ArrowUp: { x: 0, y: 1 }, ArrowDown: { x: 0, y: -1 }, ArrowLeft: { x: -1, y: 0 }, ArrowRight: { x: 1, y: 0 },
+  ArrowUp: { x: 0, y: 1 },
+  ArrowDown: { x: 0, y: -1 },
+  ArrowLeft: { x: -1, y: 0 },
+  ArrowRight: { x: 1, y: 0 },
 };
 
 export class Cursor {
@@ -68,7 +71,7 @@ export class Cursor {
     if (tool.busy) {
       tool.release(this.at);
     } else if (tool.press(this.at) && ["unknown", "tags", "erase", "route", "ceiling"].includes(tool.name)) {
-      tool.release(this.at);  // these are clicks
+      tool.release(this.at); // these are clicks
     }
   }
 
@@ -77,16 +80,29 @@ export class Cursor {
       return;
     }
     const on = view.toScreen(this.at);
-    for (const [colour, width] of [[theme.plan, 5], [theme.estimate, 2]] as const) {
+    for (const [colour, width] of [
+      [theme.plan, 5],
+      [theme.estimate, 2],
+    ] as const) {
       context.strokeStyle = colour;
       context.lineWidth = width;
       context.beginPath();
-      for (const [dx, dy] of [[1, 0], [-1, 0], [0, 1], [0, -1]] as const) {
+      for (const [dx, dy] of [
+        [1, 0],
+        [-1, 0],
+        [0, 1],
+        [0, -1],
+      ] as const) {
         context.moveTo(on.x + 5 * dx, on.y + 5 * dy);
         context.lineTo(on.x + 17 * dx, on.y + 17 * dy);
       }
       context.stroke();
     }
-    haloText(context, `${this.at.x.toFixed(1)}, ${this.at.y.toFixed(1)}`, { x: on.x + 12, y: on.y + 16 }, { colour: theme.estimate, halo: theme.plan, align: "left", px: 11 });
+    haloText(
+      context,
+      `${this.at.x.toFixed(1)}, ${this.at.y.toFixed(1)}`,
+      { x: on.x + 12, y: on.y + 16 },
+      { colour: theme.estimate, halo: theme.plan, align: "left", px: 11 },
+    );
   }
 }

@@ -88,9 +88,23 @@ export function emptyDoc(): Doc {
     settings: { north_deg: 0, width_m: 2, tag_to_middle_m: 1, tag_reach_m: 0.3, extra: {} },
     places: [],
     scene: {
-      kind: "hallway", walls: "hallways", title: "", seed: 7, start: null, from: "", to: "", survey: false,
-      room: [], tile_m: 0.508, region: null, without: [], unreadable: [], explorer: "sweep",
-      ceiling: [], controller: "own", radio: "paper",
+      kind: "hallway",
+      walls: "hallways",
+      title: "",
+      seed: 7,
+      start: null,
+      from: "",
+      to: "",
+      survey: false,
+      room: [],
+      tile_m: 0.508,
+      region: null,
+      without: [],
+      unreadable: [],
+      explorer: "sweep",
+      ceiling: [],
+      controller: "own",
+      radio: "paper",
     },
     nextId: 1,
   };
@@ -302,8 +316,8 @@ export function scaleBy(draft: Doc, ratio: number): void {
 }
 
 /**
- * Turns plan and drawing counter-clockwise, so that what pointed that much clockwise of north is north. Hallways keep the
- * compass points that now fit them best.
+ * Turns plan and drawing counter-clockwise, so that what pointed that much clockwise of north is north. Hallways keep
+ * the compass points that now fit them best.
  */
 export function turnBy(draft: Doc, radians: number): void {
   const cos = Math.cos(radians);
@@ -317,7 +331,8 @@ export function turnBy(draft: Doc, radians: number): void {
   draft.scene.without = [];
   draft.scene.unreadable = [];
   if (draft.scene.start) {
-    draft.scene.start.heading_deg = Math.round(((draft.scene.start.heading_deg + (radians * 180) / Math.PI) % 360) * 10) / 10;
+    draft.scene.start.heading_deg =
+      Math.round(((draft.scene.start.heading_deg + (radians * 180) / Math.PI) % 360) * 10) / 10;
   }
   const quarters = bestQuarters(draft, radians);
   for (const place of draft.places) {

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
-// Plan, route, scene and problems in the side panel.
+// Plan, route and problems in the side panel.
 import { el } from "../../../robot/telemetry/pages/common/dom";
 import type { Editor } from "./editor";
 import type { FileProblem } from "./files";
 import { button, checkField, choiceField, numberField, textField } from "./forms";
-import { metric, turnBy, type Doc, type Scene } from "./model";
+import { metric, turnBy } from "./model";
 import { selectByName } from "./place_panel";
 
 export interface PlanActions {
@@ -15,36 +15,90 @@ export interface PlanActions {
 
 export function planPanel(editor: Editor, actions: PlanActions): Node[] {
   const { plan, settings } = editor.doc;
-  const setting = (key: "north_deg" | "width_m" | "tag_to_middle_m" | "tag_reach_m", label: string, min: number, max: number) =>
+  const setting = (
+    key: "north_deg" | "width_m" | "tag_to_middle_m" | "tag_reach_m",
+    label: string,
+    min: number,
+    max: number,
+  ) =>
     numberField({ key, label, value: settings[key], min, max }, (value) =>
       editor.history.change(label.toLowerCase(), (draft) => {
         draft.settings[key] = value;
-      }));
+      }),
+    );
   const picture = plan
     ? [
-        el("p", {}, el("b", {}, plan.name), el("span", { class: "soft figures" }, ` ${plan.width_px} × ${plan.height_px} pixels`)),
-        numberField({ key: "resolution", label: "Metres a pixel", value: Number(plan.resolution_m.toPrecision(6)), min: 0.0001, max: 10,
-          note: plan.scaled ? "" : "Not set yet: draw a line with the Scale tool (S), or type it here." }, actions.setResolution),
-        numberField({ key: "opacity", label: "Picture shows through, %", value: Math.round(actions.opacity * 100), min: 10, max: 100 }, (percent) => actions.setOpacity(percent / 100)),
+        el(
+          "p",
+          {},
+          el("b", {}, plan.name),
+          el("span", { class: "soft figures" }, ` ${plan.width_px} × ${plan.height_px} pixels`),
+        ),
+        numberField(
+          {
+            key: "resolution",
+            label: "Metres a pixel",
+            value: Number(plan.resolution_m.toPrecision(6)),
+            min: 0.0001,
+            max: 10,
+            note: plan.scaled ? "" : "Not set yet: draw a line with the Scale tool (S), or type it here.",
+          },
+          actions.setResolution,
+        ),
+        numberField(
+          {
+            key: "opacity",
+            label: "Picture shows through, %",
+            value: Math.round(actions.opacity * 100),
+            min: 10,
+            max: 100,
+          },
+          (percent) => actions.setOpacity(percent / 100),
+        ),
         checkField({ key: "negate", label: "Light is wall, dark is floor", value: plan.negate }, (negate) =>
           editor.history.change("negate", (draft) => {
             if (draft.plan) {
               draft.plan.negate = negate;
             }
-          })),
-        numberField({ key: "free", label: "Floor is lighter than, %", value: Math.round((1 - plan.free_thresh) * 1000) / 10, min: 0, max: 100 }, (percent) =>
-          editor.history.change("threshold", (draft) => {
-            if (draft.plan) {
-              draft.plan.free_thresh = Math.min(1 - percent / 100, draft.plan.occupied_thresh);
-            }
-          })),
+          }),
+        ),
+        numberField(
+          {
+            key: "free",
+            label: "Floor is lighter than, %",
+            value: Math.round((1 - plan.free_thresh) * 1000) / 10,
+            min: 0,
+            max: 100,
+          },
+          (percent) =>
+            editor.history.change("threshold", (draft) => {
+              if (draft.plan) {
+                draft.plan.free_thresh = Math.min(1 - percent / 100, draft.plan.occupied_thresh);
+              }
+            }),
+        ),
       ]
-    : [el("p", { class: "soft" }, "No picture: an empty sheet in metres. Open one, or drop a PNG or PGM on the drawing.")];
+    : [
+        el(
+          "p",
+          { class: "soft" },
+          "No picture: an empty sheet in metres. Open one, or drop a PNG or PGM on the drawing.",
+        ),
+      ];
   return [
     el("h2", {}, "Picture"),
     ...picture,
-    numberField({ key: "turn", label: "Turn the plan, degrees clockwise", value: 0, min: -360, max: 360, note: "So that north is up. Or drag the needle with the North tool (N)." }, (deg) =>
-      editor.history.change("north", (draft) => turnBy(draft, (-deg * Math.PI) / 180))),
+    numberField(
+      {
+        key: "turn",
+        label: "Turn the plan, degrees clockwise",
+        value: 0,
+        min: -360,
+        max: 360,
+        note: "So that north is up. Or drag the needle with the North tool (N).",
+      },
+      (deg) => editor.history.change("north", (draft) => turnBy(draft, (-deg * Math.PI) / 180)),
+    ),
     el("h2", {}, "Building"),
     setting("width_m", "Hallways are wide, m", 0.5, 10),
     setting("tag_to_middle_m", "From a tag to the middle of its place, m", 0.1, 10),
@@ -59,7 +113,9 @@ export function routePanel(editor: Editor): Node[] {
   const { route } = editor;
   const result: Node[] = [];
   if (route?.found) {
-    const cost = route.by_length ? `${(route.cost ?? 0).toFixed(1)} m` : `${route.cost} hallways (not all lengths are known)`;
+    const cost = route.by_length
+      ? `${(route.cost ?? 0).toFixed(1)} m`
+      : `${route.cost} hallways (not all lengths are known)`;
     result.push(
       el("p", { class: "cost" }, el("b", { class: "figures" }, cost), ` over ${route.steps?.length ?? 0} hallways`),
       el("p", {}, route.start_words ?? ""),
@@ -69,113 +125,46 @@ export function routePanel(editor: Editor): Node[] {
   } else if (route) {
     result.push(el("p", { class: "bad" }, route.reason ?? ""));
   } else {
-    result.push(el("p", { class: "soft" }, "Say where the robot stands – a place, or a tag that it has read – and where it is to go. The robot's own planner answers."));
+    result.push(
+      el(
+        "p",
+        { class: "soft" },
+        "Where does the robot stand – at a place, or over a tag – and where is it to go? Its own planner answers.",
+      ),
+    );
   }
   return [
-    el("div", { class: "pair" },
-      textField({ key: "from", label: "From place or tag", value: editor.routeFrom, placeholder: "c, or tag 12" }, (value) => {
-        editor.routeFrom = value.replace(/^tag\s+/i, "");
-        again();
-      }),
+    el(
+      "div",
+      { class: "pair" },
+      textField(
+        { key: "from", label: "From place or tag", value: editor.routeFrom, placeholder: "c, or tag 12" },
+        (value) => {
+          editor.routeFrom = value.replace(/^tag\s+/i, "");
+          again();
+        },
+      ),
       choiceField({ key: "to", label: "To", value: editor.routeTo, choices: [["", "–"], ...names] }, (value) => {
         editor.routeTo = value;
         again();
-      })),
+      }),
+    ),
     ...(editor.blocked.length > 0
-      ? [el("p", {}, "Blocked: ", ...editor.blocked.map(([name, letter]) => button(`${name} ${letter} ×`, () => {
-          editor.blocked = editor.blocked.filter(([n, l]) => n !== name || l !== letter);
-          again();
-        })))]
+      ? [
+          el(
+            "p",
+            {},
+            "Blocked: ",
+            ...editor.blocked.map(([name, letter]) =>
+              button(`${name} ${letter} ×`, () => {
+                editor.blocked = editor.blocked.filter(([n, l]) => n !== name || l !== letter);
+                again();
+              }),
+            ),
+          ),
+        ]
       : []),
     el("div", { role: "status" }, ...result),
-  ];
-}
-
-const kinds = [["hallway", "Hallways: from place to place"], ["carpet", "Carpet: map the tiles"], ["ceiling", "Ceiling tags: by phase difference"]] as const;
-const explorers = ["sweep", "idfm", "dfm", "bfm", "bfm_out_and_back", "bfm_all_neighbours", "spiral"].map((name) => [name, name] as const);
-
-export function scenePanel(editor: Editor, saveScene: () => void): Node[] {
-  const scene = editor.doc.scene;
-  const set = (label: string, edit: (scene: Scene, draft: Doc) => void) => editor.history.change(label, (draft) => edit(draft.scene, draft));
-  const walls: [string, string][] = [
-    ...(editor.doc.places.length > 0 ? [["hallways", "Both sides of every hallway drawn"] as [string, string]] : []),
-    ...(editor.doc.plan ? [["plan", "What is dark on the plan"] as [string, string]] : []),
-    ["room", scene.room.length > 2 ? "The room drawn" : "A room, drawn with the Room tool (O)"],
-  ];
-  if (!walls.some(([value]) => value === scene.walls)) {
-    walls.unshift([scene.walls, "– choose –"]);
-  }
-  const start = scene.start;
-  const names = editor.doc.places.map((place) => [place.name, place.name] as const);
-  return [
-    choiceField({ key: "kind", label: "Mission", value: scene.kind, choices: kinds }, (kind) => set("mission", (s) => (s.kind = kind as Scene["kind"]))),
-    textField({ key: "title", label: "What it shows, in a sentence", value: scene.title, placeholder: "Traced" }, (title) => set("title", (s) => (s.title = title))),
-    el("div", { class: "pair" },
-      choiceField({ key: "walls", label: "Walls", value: scene.walls, choices: walls }, (value) => set("walls", (s) => (s.walls = value as Scene["walls"]))),
-      numberField({ key: "seed", label: "Seed", value: scene.seed, min: 0, max: 4294967295, step: 1 }, (seed) => set("seed", (s) => (s.seed = Math.floor(seed))))),
-    ...(scene.kind === "hallway" ? hallwayFields(scene, names, set) : scene.kind === "carpet" ? carpetFields(scene, set) : ceilingFields(scene, set)),
-    el("p", { class: "soft" }, start ? `Starts at ${start.x.toFixed(2)}, ${start.y.toFixed(2)} m, heading ${start.heading_deg}°. `
-      : scene.kind === "ceiling" ? "Press with the Start tool (P) where the robot starts. " : "Starts where the twin finds room; or press with the Start tool (P). ",
-      ...(start ? [button("Remove start", () => set("start", (s) => (s.start = null)))] : [])),
-    ...sceneVerdict(editor),
-    el("div", { class: "row" }, button("Save scene", saveScene, { class: "primary" })),
-    el("p", { class: "soft note" }, "Runs with ", el("code", {}, `twin run ${editor.naming.name}.scene.yaml`)),
-  ];
-}
-type Set = (label: string, edit: (scene: Scene, draft: Doc) => void) => void;
-
-function hallwayFields(scene: Scene, names: (readonly [string, string])[], set: Set): Node[] {
-  const choices = [["", "–"] as const, ...names];
-  return [
-    checkField({ key: "survey", label: "Survey: draw the map from one tag", value: scene.survey }, (survey) => set("survey", (s) => (s.survey = survey))),
-    ...(scene.survey ? [] : [el("div", { class: "pair" },
-      choiceField({ key: "scene from", label: "From", value: scene.from, choices }, (from) => set("from", (s) => (s.from = from))),
-      choiceField({ key: "scene to", label: "To", value: scene.to, choices }, (to) => set("to", (s) => (s.to = to))))]),
-  ];
-}
-function carpetFields(scene: Scene, set: Set): Node[] {
-  return [el("div", { class: "pair" },
-    numberField({ key: "tile", label: "Tile, m", value: scene.tile_m, min: 0.1, max: 5 }, (tile) => set("tile", (s) => {
-      s.tile_m = tile;
-      s.without = [];
-      s.unreadable = [];
-    })),
-    choiceField({ key: "explorer", label: "Explorer", value: scene.explorer, choices: explorers }, (explorer) => set("explorer", (s) => (s.explorer = explorer))))];
-}
-function ceilingFields(scene: Scene, set: Set): Node[] {
-  const rows = scene.ceiling.map((tag, i) =>
-    el("tr", {},
-      el("td", {}, textField({ key: `ceiling name ${i}`, label: `Name of tag ${i + 1}`, hidden: true, value: tag.name }, (name) => set("tag name", (s) => {
-        (s.ceiling[i] as typeof tag).name = name;
-      }))),
-      ...(["x", "y"] as const).map((axis) => el("td", {}, numberField({ key: `ceiling ${axis} ${i}`, label: `${axis} of ${tag.name}, m`, hidden: true, value: tag.at[axis], min: -1000, max: 1000 }, (value) => set("tag", (s) => {
-        (s.ceiling[i] as typeof tag).at[axis] = value;
-      })))),
-      el("td", {}, numberField({ key: `ceiling height ${i}`, label: `Height of ${tag.name}, m`, hidden: true, value: tag.height_m, min: 0.2, max: 100 }, (value) => set("tag height", (s) => {
-        (s.ceiling[i] as typeof tag).height_m = value;
-      }))),
-      el("td", {}, button("×", () => set("erase", (s) => s.ceiling.splice(i, 1)), { "aria-label": `Remove tag ${tag.name}`, "data-key": `remove ceiling ${i}` }))));
-  return [
-    el("div", { class: "pair" },
-      choiceField({ key: "controller", label: "Controller", value: scene.controller, choices: [["own", "own estimator"], ["fuzzy", "the paper's fuzzy"]] }, (value) => set("controller", (s) => (s.controller = value as Scene["controller"]))),
-      choiceField({ key: "radio", label: "Reader", value: scene.radio, choices: [["paper", "the paper's"], ["impinj_r420", "Impinj R420"]] }, (value) => set("radio", (s) => (s.radio = value as Scene["radio"])))),
-    scene.ceiling.length === 0
-      ? el("p", { class: "soft" }, "No tags yet: click with the Ceiling tag tool (L).")
-      : el("table", { class: "sides ceiling" }, el("thead", {}, el("tr", {}, ...["Tag", "x, m", "y, m", "Height, m"].map((head) => el("th", { scope: "col" }, head)), el("td", {}))), el("tbody", {}, ...rows)),
-    button("Add ceiling tag", () => set("ceiling tag", (s) => {
-      const last = s.ceiling.at(-1);
-      s.ceiling.push({ name: `T${s.ceiling.length + 1}`, at: { x: (last?.at.x ?? -2) + 2, y: last?.at.y ?? 0 }, height_m: last?.height_m ?? 3 });
-    })),
-  ];
-}
-function sceneVerdict(editor: Editor): Node[] {
-  if (editor.scene?.sound) {
-    const tiles = editor.doc.scene.kind === "carpet" ? ` ${editor.scene.tile_count} tiles.` : "";
-    return [el("p", { class: "good", role: "status" }, `✓ The twin takes this scene.${tiles}`)];
-  }
-  return [
-    el("p", { class: "bad", role: "status" }, editor.sceneProblems.length > 0 ? "The twin does not take this scene yet:" : "…"),
-    el("ul", { class: "list" }, ...editor.sceneProblems.map((problem) => el("li", { class: "bad problem" }, `${problem.path ? `${problem.path}: ` : ""}${problem.what}${problem.hint ? `; ${problem.hint}` : ""}`))),
   ];
 }
 
@@ -184,20 +173,44 @@ export function problemList(editor: Editor): Node[] {
   const all = [...editor.problems].sort((a, b) => Number(b.level === "error") - Number(a.level === "error"));
   const errors = all.filter((problem) => problem.level === "error").length;
   const drawn = editor.doc.places.length > 0;
-  const verdict = errors > 0 ? `${errors} ${errors === 1 ? "mistake" : "mistakes"}` : all.length > 0 ? `Sound, ${all.length} to look at` : drawn ? "Sound" : "No hallways drawn";
+  const verdict =
+    errors > 0
+      ? `${errors} ${errors === 1 ? "mistake" : "mistakes"}`
+      : all.length > 0
+        ? `Sound, ${all.length} to look at`
+        : drawn
+          ? "Sound"
+          : "No hallways drawn";
   return [
     el("h2", {}, "Check"),
-    el("p", { role: "status", class: errors > 0 ? "bad" : drawn ? "good" : "soft" }, verdict, metric(editor.doc) ? "" : " – no scale yet"),
+    el(
+      "p",
+      { role: "status", class: errors > 0 ? "bad" : drawn ? "good" : "soft" },
+      verdict,
+      metric(editor.doc) ? "" : " – no scale yet",
+    ),
     el("ul", { class: "list" }, ...all.map((problem) => el("li", {}, problemItem(editor, problem)))),
   ];
 }
 function problemItem(editor: Editor, problem: FileProblem): Node {
   const where = [problem.place, problem.side].filter((part) => part !== "").join(" ") || problem.path;
   const text = `${problem.what}${problem.hint ? `; ${problem.hint}` : ""}`;
-  const mark = el("span", { class: problem.level === "error" ? "mark bad" : "mark warn" }, problem.level === "error" ? "✕" : "!");
+  const mark = el(
+    "span",
+    { class: problem.level === "error" ? "mark bad" : "mark warn" },
+    problem.level === "error" ? "✕" : "!",
+  );
   const level = el("span", { class: "visually-hidden" }, problem.level === "error" ? "mistake: " : "advice: ");
-  return el("button", {
-    type: "button", class: "item problem", "data-key": `problem ${where} ${problem.what}`,
-    onclick: () => selectByName(editor, problem.place),
-  }, mark, level, el("span", {}, el("b", {}, where), ` ${text}`));
+  return el(
+    "button",
+    {
+      type: "button",
+      class: "item problem",
+      "data-key": `problem ${where} ${problem.what}`,
+      onclick: () => selectByName(editor, problem.place),
+    },
+    mark,
+    level,
+    el("span", {}, el("b", {}, where), ` ${text}`),
+  );
 }

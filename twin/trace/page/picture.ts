@@ -16,9 +16,12 @@ export function pixelToPlan(plan: Plan, u: number, v: number): Point {
   return { x: ox + Math.cos(yaw) * x - Math.sin(yaw) * y, y: oy + Math.sin(yaw) * x + Math.cos(yaw) * y };
 }
 export function planBox(plan: Plan): Box {
-  const corners = [[0, 0], [plan.width_px, 0], [0, plan.height_px], [plan.width_px, plan.height_px]].map(([u, v]) =>
-    pixelToPlan(plan, u as number, v as number),
-  );
+  const corners = [
+    [0, 0],
+    [plan.width_px, 0],
+    [0, plan.height_px],
+    [plan.width_px, plan.height_px],
+  ].map(([u, v]) => pixelToPlan(plan, u as number, v as number));
   const xs = corners.map((p) => p.x);
   const ys = corners.map((p) => p.y);
   return { low: { x: Math.min(...xs), y: Math.min(...ys) }, high: { x: Math.max(...xs), y: Math.max(...ys) } };
@@ -96,7 +99,8 @@ export class Picture {
     context.save();
     context.globalAlpha = this.opacity;
     context.transform(right.x - at.x, right.y - at.y, down.x - at.x, down.y - at.y, at.x, at.y);
-    const onScreen = Math.max(plan.width_px, plan.height_px) * plan.resolution_m * view.scale * (window.devicePixelRatio || 1);
+    const onScreen =
+      Math.max(plan.width_px, plan.height_px) * plan.resolution_m * view.scale * (window.devicePixelRatio || 1);
     context.imageSmoothingEnabled = plan.resolution_m * view.scale < 3;
     context.drawImage(onScreen > 1.3 * smallSide_px ? full : small, 0, 0, plan.width_px, plan.height_px);
     context.restore();

@@ -5,8 +5,26 @@ import { el } from "../../../robot/telemetry/pages/common/dom";
 import type { Editor } from "./editor";
 import { button, textField } from "./forms";
 import {
-  addPlace, clearSide, connect, freeTag, kindOf, lengthOf, letters, metric, numberTags, opposite, placeById, placeByName,
-  removePlace, rename, setLength, setUnknown, sideNames, type Letter, type Place, type Side,
+  addPlace,
+  clearSide,
+  connect,
+  freeTag,
+  kindOf,
+  lengthOf,
+  letters,
+  metric,
+  numberTags,
+  opposite,
+  placeById,
+  placeByName,
+  removePlace,
+  rename,
+  setLength,
+  setUnknown,
+  sideNames,
+  type Letter,
+  type Place,
+  type Side,
 } from "./model";
 
 function change(editor: Editor, label: string, place: Place, edit: (place: Place) => void): void {
@@ -29,7 +47,9 @@ function neighbourField(editor: Editor, place: Place, letter: Letter): HTMLEleme
     { "data-key": `to ${letter}`, "aria-label": `${sideNames[letter]} leads to` },
     el("option", { value: "-", selected: value === "-" }, "–  none"),
     el("option", { value: "?", selected: value === "?" }, "?  unknown"),
-    ...free.map((other) => el("option", { value: String(other.id), selected: value === String(other.id) }, other.name)),
+    ...free.map((other) =>
+      el("option", { value: String(other.id), selected: value === String(other.id) }, other.name),
+    ),
   );
   field.addEventListener("change", () => {
     editor.history.change("neighbour", (draft) => {
@@ -51,7 +71,10 @@ function lengthField(editor: Editor, place: Place, letter: Letter, side: Side): 
   const length = lengthOf(editor.doc, place, side);
   const drawn = side.length === "drawn";
   const field = el("input", {
-    type: "text", inputmode: "decimal", "data-key": `length ${letter}`, "aria-label": `length ${sideNames[letter]}, m`,
+    type: "text",
+    inputmode: "decimal",
+    "data-key": `length ${letter}`,
+    "aria-label": `length ${sideNames[letter]}, m`,
     value: drawn ? "" : length === null ? "?" : String(length),
     placeholder: drawn && length !== null ? length.toFixed(2) : "?",
     title: "Metres from middle to middle. Empty: as drawn. ?: not known.",
@@ -76,8 +99,14 @@ function lengthField(editor: Editor, place: Place, letter: Letter, side: Side): 
 
 function tagsField(editor: Editor, place: Place, letter: Letter, side: Side): HTMLElement {
   const field = el("input", {
-    type: "text", "data-key": `tags ${letter}`, "aria-label": `tags met on coming from the ${sideNames[letter]}`,
-    value: side.tags.join(", "), placeholder: `e.g. ${freeTag(editor.doc)}`, autocomplete: "off", spellcheck: "false", class: "figures",
+    type: "text",
+    "data-key": `tags ${letter}`,
+    "aria-label": `tags met on coming from the ${sideNames[letter]}`,
+    value: side.tags.join(", "),
+    placeholder: `e.g. ${freeTag(editor.doc)}`,
+    autocomplete: "off",
+    spellcheck: "false",
+    class: "figures",
     title: "Numbers, or unique numbers of 16 hexadecimal digits; several with commas",
   });
   field.addEventListener("change", () => {
@@ -112,7 +141,11 @@ function sidesTable(editor: Editor, place: Place): HTMLElement {
       {},
       el("th", { scope: "row" }, letter),
       el("td", {}, neighbourField(editor, place, letter)),
-      el("td", {}, side && side.to !== null ? lengthField(editor, place, letter, side) : el("span", { class: "soft" }, "–")),
+      el(
+        "td",
+        {},
+        side && side.to !== null ? lengthField(editor, place, letter, side) : el("span", { class: "soft" }, "–"),
+      ),
       el("td", {}, side ? tagsField(editor, place, letter, side) : el("span", { class: "soft" }, "–")),
     );
   });
@@ -120,7 +153,15 @@ function sidesTable(editor: Editor, place: Place): HTMLElement {
     "table",
     { class: "sides" },
     el("caption", { class: "visually-hidden" }, `Sides of ${place.name}`),
-    el("thead", {}, el("tr", {}, ...["Side", "Leads to", "Length, m", "Tags coming in"].map((head) => el("th", { scope: "col" }, head)))),
+    el(
+      "thead",
+      {},
+      el(
+        "tr",
+        {},
+        ...["Side", "Leads to", "Length, m", "Tags coming in"].map((head) => el("th", { scope: "col" }, head)),
+      ),
+    ),
     el("tbody", {}, ...rows),
   );
 }
@@ -128,7 +169,12 @@ function sidesTable(editor: Editor, place: Place): HTMLElement {
 function placeForm(editor: Editor, place: Place): Node[] {
   const unit = metric(editor.doc) ? "m" : "no scale yet";
   return [
-    el("h2", { class: "title" }, `${kindOf(place)} ${place.name}`, el("span", { class: "soft figures at" }, ` ${place.at.x.toFixed(2)}, ${place.at.y.toFixed(2)} ${unit}`)),
+    el(
+      "h2",
+      { class: "title" },
+      `${kindOf(place)} ${place.name}`,
+      el("span", { class: "soft figures at" }, ` ${place.at.x.toFixed(2)}, ${place.at.y.toFixed(2)} ${unit}`),
+    ),
     textField({ key: "name", label: "Name", value: place.name }, (name) => {
       if (name !== "" && name !== place.name) {
         editor.history.change("name", (draft) => {
@@ -140,12 +186,18 @@ function placeForm(editor: Editor, place: Place): Node[] {
       }
     }),
     sidesTable(editor, place),
-    el("div", { class: "row" }, button("Remove place", () => editor.history.change("erase", (draft) => {
-      const there = placeById(draft, place.id);
-      if (there) {
-        removePlace(draft, there);
-      }
-    }))),
+    el(
+      "div",
+      { class: "row" },
+      button("Remove place", () =>
+        editor.history.change("erase", (draft) => {
+          const there = placeById(draft, place.id);
+          if (there) {
+            removePlace(draft, there);
+          }
+        }),
+      ),
+    ),
   ];
 }
 
@@ -154,19 +206,36 @@ function placeList(editor: Editor): Node[] {
     const says = letters.map((letter) => {
       const side = place.sides[letter];
       const to = side?.to == null ? undefined : placeById(editor.doc, side.to);
-      return el("span", { class: "neighbour" }, el("span", { class: "soft" }, `${letter} `), !side ? "–" : to ? to.name : "?");
+      return el(
+        "span",
+        { class: "neighbour" },
+        el("span", { class: "soft" }, `${letter} `),
+        !side ? "–" : to ? to.name : "?",
+      );
     });
     const chosen = editor.selectedPlace?.id === place.id;
-    const pick = el("button", {
-      type: "button", class: "item", "aria-pressed": String(chosen), "data-key": `place ${place.id}`,
-      onclick: () => editor.select({ kind: "place", id: place.id }),
-    }, el("b", {}, place.name), ...says);
+    const pick = el(
+      "button",
+      {
+        type: "button",
+        class: "item",
+        "aria-pressed": String(chosen),
+        "data-key": `place ${place.id}`,
+        onclick: () => editor.select({ kind: "place", id: place.id }),
+      },
+      el("b", {}, place.name),
+      ...says,
+    );
     return el("li", {}, pick);
   });
   return [
-    el("div", { class: "row spread" },
+    el(
+      "div",
+      { class: "row spread" },
       el("h2", {}, `Places (${editor.doc.places.length})`),
-      el("span", { class: "row" },
+      el(
+        "span",
+        { class: "row" },
         button("Add place", () => {
           const id = editor.history.change("place", (draft) => {
             const far = draft.places.reduce((most, place) => Math.max(most, place.at.x), -4);
@@ -177,7 +246,9 @@ function placeList(editor: Editor): Node[] {
         button("Number tags", () => {
           const given = editor.history.change("number tags", numberTags);
           editor.say(given === 0 ? "Every side has its tag." : `${given} sides were given a number.`);
-        }))),
+        }),
+      ),
+    ),
     editor.doc.places.length === 0
       ? el("p", { class: "soft" }, "None yet. Take the Hallway tool (H) and drag along a hallway of the plan.")
       : el("ul", { class: "list" }, ...items),

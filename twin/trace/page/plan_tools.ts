@@ -3,11 +3,12 @@
 import { haloText, planLine } from "../../../robot/telemetry/pages/common/draw";
 import type { PlanView, Point } from "../../../robot/telemetry/pages/common/plan_view";
 import type { Theme } from "../../../robot/telemetry/pages/common/theme";
+import { drawNeedle } from "./compass";
 import type { Editor } from "./editor";
 import type { IconName } from "./icons";
 import { distance, rounded, turnBy, type Doc } from "./model";
 import { alignedPoint, isStroke } from "./snapping";
-import { Stroke } from "./tools";
+import { Stroke } from "./stroke";
 
 function guide(context: CanvasRenderingContext2D, view: PlanView, a: Point, b: Point, colour: string): void {
   planLine(context, view, [a, b]);
@@ -38,7 +39,12 @@ export class ScaleTool extends Stroke {
     if (this.from && this.to) {
       guide(context, view, this.from, this.to, theme.estimate);
       const at = view.toScreen(this.to);
-      haloText(context, this.editor.metres(distance(this.from, this.to)), { x: at.x, y: at.y - 20 }, { colour: theme.estimate, halo: theme.plan, px: 14, bold: true });
+      haloText(
+        context,
+        this.editor.metres(distance(this.from, this.to)),
+        { x: at.x, y: at.y - 20 },
+        { colour: theme.estimate, halo: theme.plan, px: 14, bold: true },
+      );
     }
   }
 }
@@ -64,39 +70,13 @@ export class NorthTool extends Stroke {
   }
 }
 
-/** A compass needle. \param turn  clockwise from up, rad */
-function drawNeedle(context: CanvasRenderingContext2D, at: Point, turn: number, long: number, theme: Theme): void {
-  context.save();
-  context.translate(at.x, at.y);
-  context.beginPath();
-  context.arc(0, 0, long, 0, 2 * Math.PI);
-  context.fillStyle = theme.card;
-  context.globalAlpha = 0.85;
-  context.fill();
-  context.globalAlpha = 1;
-  context.lineWidth = 2;
-  context.strokeStyle = theme["soft-ink"];
-  context.stroke();
-  context.rotate(turn);
-  for (const [half, colour] of [[-1, theme.bad], [1, theme["soft-ink"]]] as const) {
-    context.beginPath();
-    context.moveTo(0, half * (long - 8));
-    context.lineTo(long * 0.12, 0);
-    context.lineTo(-long * 0.12, 0);
-    context.closePath();
-    context.fillStyle = colour;
-    context.fill();
-  }
-  haloText(context, "N", { x: 0, y: -long - 12 }, { colour: theme.bad, halo: theme.plan, px: 16, bold: true });
-  context.restore();
-}
-
 export class RoomTool extends Stroke {
   name = "room";
   label = "Room";
   icon: IconName = "room";
   key = "o";
-  hint = "Drag a room from corner to corner, or click its corners one by one. The walls of the scene are then this room's.";
+  hint =
+    "Drag a room from corner to corner, or click its corners one by one. The walls of the scene are then this room's.";
 
   protected override done(from: Point, to: Point): void {
     const { editor } = this;
@@ -121,7 +101,12 @@ export class RoomTool extends Stroke {
       context.strokeStyle = theme.wall;
       context.stroke();
       const at = view.toScreen(b);
-      haloText(context, `${Math.abs(b.x - a.x).toFixed(1)} x ${Math.abs(b.y - a.y).toFixed(1)} m`, { x: at.x, y: at.y - 16 }, { colour: theme.ink, halo: theme.plan, bold: true });
+      haloText(
+        context,
+        `${Math.abs(b.x - a.x).toFixed(1)} x ${Math.abs(b.y - a.y).toFixed(1)} m`,
+        { x: at.x, y: at.y - 16 },
+        { colour: theme.ink, halo: theme.plan, bold: true },
+      );
     }
   }
 }
@@ -210,5 +195,31 @@ export class CeilingTool extends Stroke {
       return scene.ceiling.length - 1;
     });
     this.editor.select({ kind: "ceiling", index });
+  }
+}
+
+export class StartTool extends Stroke {
+  name = "start";
+  label = "Start";
+  icon: IconName = "start";
+  key = "p";
+  hint = "Press where the robot starts, drag to where it looks.";
+
+  protected override done(from: Point, to: Point): void {
+    const at = rounded(alignedPoint(this.editor.doc, from, this.scale));
+    const turn = isStroke(from, to, this.scale)
+      ? Math.round((Math.atan2(to.y - from.y, to.x - from.x) * 180) / Math.PI / 5) * 5
+      : null;
+    this.editor.history.change("start", (draft) => {
+      draft.scene.start = { ...at, heading_deg: turn ?? draft.scene.start?.heading_deg ?? 0 };
+    });
+  }
+  draw(context: CanvasRenderingContext2D, view: PlanView, theme: Theme): void {
+    if (this.from && this.to) {
+      planLine(context, view, [this.from, this.to]);
+      context.lineWidth = 3;
+      context.strokeStyle = theme.robot;
+      context.stroke();
+    }
   }
 }

@@ -16,7 +16,9 @@ export interface Stroke {
 export function strokeFrom(a: Point, b: Point): Stroke {
   const way = { x: b.x - a.x, y: b.y - a.y };
   const off = (letter: Letter) =>
-    Math.abs(Math.atan2(step[letter].x * way.y - step[letter].y * way.x, step[letter].x * way.x + step[letter].y * way.y));
+    Math.abs(
+      Math.atan2(step[letter].x * way.y - step[letter].y * way.x, step[letter].x * way.x + step[letter].y * way.y),
+    );
   const letter = letters.reduce((best, each) => (off(each) < off(best) ? each : best));
   return { letter, off_deg: (off(letter) * 180) / Math.PI };
 }
@@ -24,13 +26,23 @@ export function strokeFrom(a: Point, b: Point): Stroke {
 /** In line with another place where one is near, else on a grid of 10 cm. */
 function aligned(value: number, others: number[], scale: number): number {
   const near = others.filter((other) => Math.abs(other - value) * scale <= alignment_px);
-  return near.length > 0 ? near.reduce((best, other) => (Math.abs(other - value) < Math.abs(best - value) ? other : best)) : Math.round(value * 10) / 10;
+  return near.length > 0
+    ? near.reduce((best, other) => (Math.abs(other - value) < Math.abs(best - value) ? other : best))
+    : Math.round(value * 10) / 10;
 }
 export function alignedPoint(doc: Doc, p: Point, scale: number, without = -1): Point {
   const others = doc.places.filter((place) => place.id !== without).map((place) => place.at);
   return rounded({
-    x: aligned(p.x, others.map((at) => at.x), scale),
-    y: aligned(p.y, others.map((at) => at.y), scale),
+    x: aligned(
+      p.x,
+      others.map((at) => at.x),
+      scale,
+    ),
+    y: aligned(
+      p.y,
+      others.map((at) => at.y),
+      scale,
+    ),
   });
 }
 /** Where a stroke from `a` towards `p` ends: exactly on its compass point. */

@@ -6,66 +6,21 @@ import type { Theme } from "../../../robot/telemetry/pages/common/theme";
 import type { Editor } from "./editor";
 import type { IconName } from "./icons";
 import {
-  addPlace, clearSide, connect, placeById, removePlace, rounded, setUnknown, sideNames, splitHallway, step,
-  type Doc, type Letter, type Place,
+  addPlace,
+  clearSide,
+  connect,
+  placeById,
+  removePlace,
+  setUnknown,
+  sideNames,
+  splitHallway,
+  step,
+  type Doc,
+  type Letter,
+  type Place,
 } from "./model";
+import { Stroke } from "./stroke";
 import { alignedPoint, isStroke, strokeEnd, strokeFrom, tolerance_deg } from "./snapping";
-
-export interface Tool {
-  name: string;
-  label: string;
-  icon: IconName;
-  key: string;
-  hint: string;
-  /** \returns false: nothing is there to be taken, so the plan may be moved instead */
-  press(at: Point): boolean;
-  move(at: Point): void;
-  release(at: Point): void;
-  cancel(): void;
-  /** Under way from a press to a release. */
-  readonly busy: boolean;
-  draw?(context: CanvasRenderingContext2D, view: PlanView, theme: Theme): void;
-}
-
-/** Keeps where a press began and where it is now. */
-export abstract class Stroke implements Tool {
-  abstract name: string;
-  abstract label: string;
-  abstract icon: IconName;
-  abstract key: string;
-  abstract hint: string;
-  protected from: Point | null = null;
-  protected to: Point | null = null;
-  constructor(protected readonly editor: Editor) {}
-  get busy(): boolean {
-    return this.from !== null;
-  }
-  get scale(): number {
-    return this.editor.view?.scale ?? 50;
-  }
-  press(at: Point): boolean {
-    this.from = at;
-    this.to = at;
-    return true;
-  }
-  move(at: Point): void {
-    this.to = at;
-    this.editor.view?.redraw();
-  }
-  release(at: Point): void {
-    const from = this.from;
-    this.cancel();
-    if (from) {
-      this.done(from, at);
-    }
-  }
-  cancel(): void {
-    this.from = null;
-    this.to = null;
-    this.editor.view?.redraw();
-  }
-  protected abstract done(from: Point, to: Point): void;
-}
 
 export class SelectTool extends Stroke {
   name = "select";
@@ -79,14 +34,19 @@ export class SelectTool extends Stroke {
   override press(at: Point): boolean {
     const place = this.editor.placeAt(at);
     const hallway = place ? null : this.editor.hallwayAt(at);
-    const ceiling = this.editor.doc.scene.ceiling.findIndex((tag) => Math.hypot(tag.at.x - at.x, tag.at.y - at.y) * this.scale < 14);
+    const ceiling = this.editor.doc.scene.ceiling.findIndex(
+      (tag) => Math.hypot(tag.at.x - at.x, tag.at.y - at.y) * this.scale < 14,
+    );
     this.moving = place?.id ?? null;
     this.drags += 1;
     this.editor.select(
-      place ? { kind: "place", id: place.id }
-      : ceiling >= 0 && this.editor.doc.scene.kind === "ceiling" ? { kind: "ceiling", index: ceiling }
-      : hallway ? { kind: "hallway", id: hallway.a.id, letter: hallway.letter }
-      : null,
+      place
+        ? { kind: "place", id: place.id }
+        : ceiling >= 0 && this.editor.doc.scene.kind === "ceiling"
+          ? { kind: "ceiling", index: ceiling }
+          : hallway
+            ? { kind: "hallway", id: hallway.a.id, letter: hallway.letter }
+            : null,
     );
     return this.editor.selection !== null && super.press(at);
   }
@@ -99,19 +59,27 @@ export class SelectTool extends Stroke {
     const key = `move ${this.drags}`;
     if (this.moving !== null) {
       const id = this.moving;
-      this.editor.history.change("move", (draft) => {
-        const place = placeById(draft, id);
-        if (place) {
-          place.at = alignedPoint(draft, at, this.scale, id);
-        }
-      }, key);
+      this.editor.history.change(
+        "move",
+        (draft) => {
+          const place = placeById(draft, id);
+          if (place) {
+            place.at = alignedPoint(draft, at, this.scale, id);
+          }
+        },
+        key,
+      );
     } else if (chosen?.kind === "ceiling") {
-      this.editor.history.change("move tag", (draft) => {
-        const tag = draft.scene.ceiling[chosen.index];
-        if (tag) {
-          tag.at = alignedPoint(draft, at, this.scale);
-        }
-      }, key);
+      this.editor.history.change(
+        "move tag",
+        (draft) => {
+          const tag = draft.scene.ceiling[chosen.index];
+          if (tag) {
+            tag.at = alignedPoint(draft, at, this.scale);
+          }
+        },
+        key,
+      );
     }
   }
   protected override done(): void {
@@ -126,7 +94,8 @@ export class HallwayTool extends Stroke {
   label = "Hallway";
   icon: IconName = "hallway";
   key = "h";
-  hint = "Drag along a compass point: two places and their hallway. Drag from a place to go on. Click for a place alone.";
+  hint =
+    "Drag along a compass point: two places and their hallway. Drag from a place to go on. Click for a place alone.";
 
   /** Where a stroke begins: at a place, on a hallway, or anywhere. */
   private begin(draft: Doc, at: Point): Place {
@@ -157,7 +126,10 @@ export class HallwayTool extends Stroke {
     const target = editor.placeAt(to);
     const { letter, off_deg } = strokeFrom(origin, target?.at ?? to);
     if (off_deg > tolerance_deg) {
-      editor.say(`Hallways run north, east, south or west: this stroke is ${Math.round(off_deg)}° off ${sideNames[letter]}.`, "bad");
+      editor.say(
+        `Hallways run north, east, south or west: this stroke is ${Math.round(off_deg)}° off ${sideNames[letter]}.`,
+        "bad",
+      );
       return;
     }
     if (target && target.id === start?.id) {
@@ -166,7 +138,10 @@ export class HallwayTool extends Stroke {
     const taken = start?.sides[letter];
     const beyond = taken?.to == null ? undefined : placeById(editor.doc, taken.to);
     if (beyond && beyond.id !== target?.id && !between(origin, beyond.at, to, letter)) {
-      editor.say(`${start?.name} has a hallway to ${beyond.name} on its ${sideNames[letter]} side; erase it first.`, "bad");
+      editor.say(
+        `${start?.name} has a hallway to ${beyond.name} on its ${sideNames[letter]} side; erase it first.`,
+        "bad",
+      );
       return;
     }
     const id = editor.history.change("hallway", (draft) => this.lay(draft, from, to, letter, target));
@@ -187,7 +162,8 @@ export class HallwayTool extends Stroke {
     }
     const across = this.editor.hallwayAt(end);
     const other = across ? placeById(draft, across.a.id) : undefined;
-    const b = across && other && other.id !== a.id ? splitHallway(draft, other, across.letter, end) : addPlace(draft, end);
+    const b =
+      across && other && other.id !== a.id ? splitHallway(draft, other, across.letter, end) : addPlace(draft, end);
     connect(draft, a, letter, b);
     return b.id;
   }
@@ -209,8 +185,15 @@ export class HallwayTool extends Stroke {
     context.stroke();
     context.setLineDash([]);
     const at = view.toScreen(end);
-    const text = good ? `${letter}  ${this.editor.metres(Math.hypot(end.x - start.x, end.y - start.y))}` : `${Math.round(off_deg)}° off ${letter}`;
-    haloText(context, text, { x: at.x, y: at.y - 24 }, { colour: good ? theme.accent : theme.bad, halo: theme.plan, px: 14, bold: true });
+    const text = good
+      ? `${letter}  ${this.editor.metres(Math.hypot(end.x - start.x, end.y - start.y))}`
+      : `${Math.round(off_deg)}° off ${letter}`;
+    haloText(
+      context,
+      text,
+      { x: at.x, y: at.y - 24 },
+      { colour: good ? theme.accent : theme.bad, halo: theme.plan, px: 14, bold: true },
+    );
   }
 }
 function between(a: Point, b: Point, p: Point, letter: Letter): boolean {
@@ -236,7 +219,10 @@ export class UnknownTool extends Stroke {
     const { place, letter } = found;
     const side = place.sides[letter];
     if (side && side.to !== null) {
-      editor.say(`The ${sideNames[letter]} side of ${place.name} leads to a known place; erase that hallway first.`, "bad");
+      editor.say(
+        `The ${sideNames[letter]} side of ${place.name} leads to a known place; erase that hallway first.`,
+        "bad",
+      );
       return;
     }
     editor.history.change(side ? "no hallway" : "unknown hallway", (draft) => {
@@ -344,36 +330,17 @@ export class RouteTool extends Stroke {
       const { a, letter } = hallway;
       const before = editor.blocked.length;
       const b = placeById(editor.doc, a.sides[letter]?.to ?? -1);
-      editor.blocked = editor.blocked.filter(([name, side]) => !(
-        (name === a.name && side === letter) || (b && name === b.name && b.sides[side]?.to === a.id && step[side].x === -step[letter].x)));
+      editor.blocked = editor.blocked.filter(
+        ([name, side]) =>
+          !(
+            (name === a.name && side === letter) ||
+            (b && name === b.name && b.sides[side]?.to === a.id && step[side].x === -step[letter].x)
+          ),
+      );
       if (editor.blocked.length === before) {
         editor.blocked.push([a.name, letter]);
       }
     }
     void editor.planRoute().then(() => editor.changed());
-  }
-}
-
-export class StartTool extends Stroke {
-  name = "start";
-  label = "Start";
-  icon: IconName = "start";
-  key = "p";
-  hint = "Press where the robot starts, drag to where it looks.";
-
-  protected override done(from: Point, to: Point): void {
-    const at = rounded(alignedPoint(this.editor.doc, from, this.scale));
-    const turn = isStroke(from, to, this.scale) ? Math.round((Math.atan2(to.y - from.y, to.x - from.x) * 180) / Math.PI / 5) * 5 : null;
-    this.editor.history.change("start", (draft) => {
-      draft.scene.start = { ...at, heading_deg: turn ?? draft.scene.start?.heading_deg ?? 0 };
-    });
-  }
-  draw(context: CanvasRenderingContext2D, view: PlanView, theme: Theme): void {
-    if (this.from && this.to) {
-      planLine(context, view, [this.from, this.to]);
-      context.lineWidth = 3;
-      context.strokeStyle = theme.robot;
-      context.stroke();
-    }
   }
 }

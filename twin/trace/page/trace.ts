@@ -8,16 +8,20 @@ import { followTheme } from "../../../robot/telemetry/pages/common/theme";
 import { Desk } from "./desk";
 import { askLength, showHelp } from "./dialogs";
 import { Drawing } from "./drawing";
+import { rose } from "./compass";
 import { Editor } from "./editor";
 import { remade } from "./forms";
 import { icon, type IconName } from "./icons";
 import { Cursor } from "./keyboard";
+import type { Tool } from "./stroke";
+import { roundButton, Toolbar } from "./toolbar";
 import { metric, scaleBy } from "./model";
-import { planPanel, problemList, routePanel, scenePanel } from "./other_panels";
+import { planPanel, problemList, routePanel } from "./other_panels";
+import { scenePanel } from "./scene_panel";
 import { Picture } from "./picture";
-import { CarpetTool, CeilingTool, NorthTool, RoomTool, ScaleTool } from "./plan_tools";
+import { CarpetTool, CeilingTool, NorthTool, RoomTool, ScaleTool, StartTool } from "./plan_tools";
 import { focusTags, placePanel } from "./place_panel";
-import { erase, EraseTool, HallwayTool, RouteTool, SelectTool, StartTool, TagTool, UnknownTool, type Tool } from "./tools";
+import { erase, EraseTool, HallwayTool, RouteTool, SelectTool, TagTool, UnknownTool } from "./tools";
 
 const tabs = ["Places", "Route", "Scene", "Plan"] as const;
 type Tab = (typeof tabs)[number];
@@ -54,23 +58,38 @@ class Page {
   private tool: Tool = this.select;
   private tab: Tab = "Places";
   private pinched = false;
-  private readonly cursor = new Cursor(this.editor, () => this.tool, (text) => setText(this.live, text));
-  private readonly canvas = el("canvas", { tabindex: "0", role: "application", "aria-label": "Drawing of the floor", "aria-describedby": "tool-hint" });
+  private readonly cursor = new Cursor(
+    this.editor,
+    () => this.tool,
+    (text) => setText(this.live, text),
+  );
+  private readonly canvas = el("canvas", {
+    tabindex: "0",
+    role: "application",
+    "aria-label": "Drawing of the floor",
+    "aria-describedby": "tool-hint",
+  });
   private readonly hint = el("p", { id: "tool-hint", class: "hint" });
   private readonly where = el("span", { class: "figures where" });
   private readonly scaleText = el("span", { class: "figures" });
   private readonly panel = el("div", { class: "panel", role: "tabpanel", id: "panel", tabindex: "-1" });
   private readonly problems = el("section", { class: "problems", "aria-label": "Check" });
-  private readonly name = el("input", { type: "text", id: "name", class: "name", spellcheck: "false", autocomplete: "off" });
+  private readonly name = el("input", {
+    type: "text",
+    id: "name",
+    class: "name",
+    spellcheck: "false",
+    autocomplete: "off",
+  });
   private readonly state = el("span", { class: "soft state" });
   private readonly undo = this.action("undo", "Undo", () => this.step("undo"));
   private readonly redo = this.action("redo", "Redo", () => this.step("redo"));
-  private readonly toolButtons = new Map<string, HTMLButtonElement>();
+  private readonly toolbar = new Toolbar(this.tools, (tool) => this.take(tool));
   private readonly tabButtons = new Map<Tab, HTMLButtonElement>();
   private view: PlanView | null = null;
 
   build(root: HTMLElement): void {
-    root.append(this.header(), this.toolbar(), this.stage(), this.side(), this.status(), this.live);
+    root.append(this.header(), this.toolbar.element, this.stage(), this.side(), this.status(), this.live);
     this.canvas.addEventListener("keydown", (event) => this.key(event));
     this.canvas.addEventListener("pointerdown", (event) => this.secondFinger(event));
     const view = new PlanView(this.canvas, {
@@ -103,57 +122,76 @@ class Page {
     });
     this.take(this.select);
     this.show("Places");
-    this.desk.begin().catch((error: Error) => this.editor.say(error.message, "bad"));
+    this.desk
+      .begin()
+      .catch((error: Error) => this.editor.say(error.message, "bad"))
+      .finally(() => this.editor.begun());
   }
 
   private action(name: IconName, label: string, run: () => void): HTMLButtonElement {
-    return el("button", { type: "button", class: "action", title: label, onclick: run }, icon(name), el("span", {}, label));
+    return el(
+      "button",
+      { type: "button", class: "action", title: label, onclick: run },
+      icon(name),
+      el("span", {}, label),
+    );
   }
   private header(): HTMLElement {
     this.name.addEventListener("change", () => {
       this.desk.rename(this.name.value.trim() || "plan");
       this.update();
     });
-    return el("header", {},
+    return el(
+      "header",
+      {},
       el("h1", {}, "Map tracer"),
-      el("div", { class: "row" }, el("label", { for: "name", class: "visually-hidden" }, "Name of the files"), this.name, this.state),
-      el("div", { class: "row actions" },
+      el(
+        "div",
+        { class: "row" },
+        el("label", { for: "name", class: "visually-hidden" }, "Name of the files"),
+        this.name,
+        this.state,
+      ),
+      el(
+        "div",
+        { class: "row actions" },
         this.action("open", "Open", () => void this.desk.open()),
         this.action("save", "Save", () => void this.desk.save(false)),
-        this.undo, this.redo,
-        this.action("help", "Help", () => void showHelp(this.tools))));
-  }
-  private toolbar(): HTMLElement {
-    const groups: [string, string[]][] = [
-      ["Map", ["select", "hallway", "unknown", "tags", "erase"]],
-      ["Plan", ["scale", "north"]],
-      ["Try", ["route"]],
-      ["Scene", ["start", "room", "carpet", "ceiling"]],
-    ];
-    return el("section", { class: "tools", "aria-label": "Tools" }, el("div", { class: "toolbar", role: "toolbar", "aria-label": "Tools" },
-      ...groups.map(([title, names]) => el("div", { class: "group", role: "group", "aria-label": title }, el("span", { class: "group-title", "aria-hidden": "true" }, title),
-        ...names.map((name) => {
-          const tool = this.tools.find((each) => each.name === name) as Tool;
-          const pick = el("button", { type: "button", class: "tool", "aria-pressed": "false", title: `${tool.label} (${tool.key.toUpperCase()})`, "aria-keyshortcuts": tool.key, onclick: () => this.take(tool) }, icon(tool.icon), el("span", {}, tool.label));
-          this.toolButtons.set(name, pick);
-          return pick;
-        })))));
+        this.undo,
+        this.redo,
+        this.action("help", "Help", () => void showHelp(this.tools)),
+      ),
+    );
   }
   private stage(): HTMLElement {
-    const zoom = (name: IconName, label: string, run: () => void) => el("button", { type: "button", class: "round", "aria-label": label, title: label, onclick: run }, icon(name));
-    return el("main", { class: "stage" }, this.canvas, this.hint,
-      el("div", { class: "zoom" },
-        zoom("plus", "Magnify", () => this.view?.zoom(1.25)),
-        zoom("minus", "Shrink", () => this.view?.zoom(0.8)),
-        zoom("fit", "Show everything", () => this.desk.show())));
+    return el(
+      "main",
+      { class: "stage" },
+      this.canvas,
+      this.hint,
+      el(
+        "div",
+        { class: "zoom" },
+        roundButton("plus", "Magnify", () => this.view?.zoom(1.25)),
+        roundButton("minus", "Shrink", () => this.view?.zoom(0.8)),
+        roundButton("fit", "Show everything", () => this.desk.fit()),
+      ),
+    );
   }
   private side(): HTMLElement {
-    const list = el("div", { role: "tablist", class: "tabs", "aria-label": "Data" },
+    const list = el(
+      "div",
+      { role: "tablist", class: "tabs", "aria-label": "Data" },
       ...tabs.map((tab) => {
-        const button = el("button", { type: "button", role: "tab", id: `tab-${tab}`, "aria-controls": "panel", onclick: () => this.show(tab) }, tab);
+        const button = el(
+          "button",
+          { type: "button", role: "tab", id: `tab-${tab}`, "aria-controls": "panel", onclick: () => this.show(tab) },
+          tab,
+        );
         this.tabButtons.set(tab, button);
         return button;
-      }));
+      }),
+    );
     list.addEventListener("keydown", (event) => {
       const by = event.key === "ArrowRight" ? 1 : event.key === "ArrowLeft" ? -1 : 0;
       if (by !== 0) {
@@ -170,12 +208,21 @@ class Page {
   private take(tool: Tool): void {
     this.tool.cancel();
     this.tool = tool;
-    for (const [name, button] of this.toolButtons) {
-      button.setAttribute("aria-pressed", String(name === tool.name));
-    }
+    this.toolbar.show(tool);
     setText(this.hint, tool.hint);
     this.canvas.dataset["tool"] = tool.name;
-    const wanted: Partial<Record<string, Tab>> = { route: "Route", start: "Scene", room: "Scene", carpet: "Scene", ceiling: "Scene", scale: "Plan", north: "Plan", hallway: "Places", unknown: "Places", tags: "Places" };
+    const wanted: Partial<Record<string, Tab>> = {
+      route: "Route",
+      start: "Scene",
+      room: "Scene",
+      carpet: "Scene",
+      ceiling: "Scene",
+      scale: "Plan",
+      north: "Plan",
+      hallway: "Places",
+      unknown: "Places",
+      tags: "Places",
+    };
     const tab = wanted[tool.name];
     if (tab) {
       this.show(tab);
@@ -202,17 +249,18 @@ class Page {
       Places: () => placePanel(editor),
       Route: () => routePanel(editor),
       Scene: () => scenePanel(editor, () => void this.desk.save(true)),
-      Plan: () => planPanel(editor, {
-        opacity: this.picture.opacity,
-        setOpacity: (opacity) => {
-          this.picture.opacity = opacity;
-          editor.changed();
-        },
-        setResolution: (metres) => {
-          const now = editor.doc.plan?.resolution_m ?? metres;
-          editor.history.change("scale", (draft) => scaleBy(draft, metres / now));
-        },
-      }),
+      Plan: () =>
+        planPanel(editor, {
+          opacity: this.picture.opacity,
+          setOpacity: (opacity) => {
+            this.picture.opacity = opacity;
+            editor.changed();
+          },
+          setResolution: (metres) => {
+            const now = editor.doc.plan?.resolution_m ?? metres;
+            editor.history.change("scale", (draft) => scaleBy(draft, metres / now));
+          },
+        }),
     };
     remade(this.panel, content[this.tab]());
     remade(this.problems, problemList(editor));
@@ -226,7 +274,14 @@ class Page {
     }
     setText(this.state, editor.history.changed ? "not saved" : "");
     const plan = editor.doc.plan;
-    setText(this.scaleText, plan ? (plan.scaled ? `1 px = ${Number((plan.resolution_m * 100).toPrecision(3))} cm` : "no scale yet") : "sheet in metres");
+    setText(
+      this.scaleText,
+      plan
+        ? plan.scaled
+          ? `1 px = ${Number((plan.resolution_m * 100).toPrecision(3))} cm`
+          : "no scale yet"
+        : "sheet in metres",
+    );
     document.title = `${editor.history.changed ? "• " : ""}${editor.naming.name} – map tracer`;
     this.view?.redraw();
   }
@@ -236,39 +291,8 @@ class Page {
     this.drawing.draw(context, view);
     this.tool.draw?.(context, view, theme);
     this.cursor.draw(context, view, theme);
-    this.rose(context, view);
+    rose(context, { x: view.width - 46, y: 50 }, theme);
   }
-  private rose(context: CanvasRenderingContext2D, view: PlanView): void {
-    const theme = this.drawing.theme;
-    const at = { x: view.width - 46, y: 50 };
-    context.save();
-    context.translate(at.x, at.y);
-    context.beginPath();
-    context.arc(0, 0, 32, 0, 2 * Math.PI);
-    context.fillStyle = theme.card;
-    context.globalAlpha = 0.9;
-    context.fill();
-    context.globalAlpha = 1;
-    context.strokeStyle = theme.line;
-    context.lineWidth = 1;
-    context.stroke();
-    context.beginPath();
-    context.moveTo(0, -15);
-    context.lineTo(5, 2);
-    context.lineTo(-5, 2);
-    context.closePath();
-    context.fillStyle = theme.bad;
-    context.fill();
-    context.font = "600 11px system-ui, sans-serif";
-    context.textAlign = "center";
-    context.textBaseline = "middle";
-    for (const [letter, x, y] of [["N", 0, -23], ["E", 23, 0], ["S", 0, 23], ["W", -23, 0]] as const) {
-      context.fillStyle = letter === "N" ? theme.bad : theme["soft-ink"];
-      context.fillText(letter, x, y);
-    }
-    context.restore();
-  }
-
   private hover(at: Point | null): void {
     const unit = metric(this.editor.doc) ? "m" : "(no scale yet)";
     setText(this.where, at ? `${at.x.toFixed(2)}, ${at.y.toFixed(2)} ${unit}` : "");
@@ -310,7 +334,7 @@ class Page {
     } else if (event.key === "Delete" || event.key === "Backspace") {
       erase(this.editor);
     } else if (event.key === "0") {
-      this.desk.show();
+      this.desk.fit();
     } else if (tool && !event.altKey) {
       this.take(tool);
     } else {
@@ -340,13 +364,15 @@ class Page {
   }
   private step(which: "undo" | "redo"): void {
     const label = which === "undo" ? this.editor.history.undo() : this.editor.history.redo();
-    this.editor.say(label === null ? `Nothing to ${which}.` : `${which === "undo" ? "Undone" : "Done again"}: ${label}.`);
+    this.editor.say(
+      label === null ? `Nothing to ${which}.` : `${which === "undo" ? "Undone" : "Done again"}: ${label}.`,
+    );
   }
   private async scaled(drawn: number): Promise<void> {
     const length = await askLength(drawn, metric(this.editor.doc));
     if (length !== null) {
       this.editor.history.change("scale", (draft) => scaleBy(draft, length / drawn));
-      this.desk.show();
+      this.desk.fit();
       this.take(this.select);
     }
     this.canvas.focus();

@@ -24,7 +24,9 @@ export class Bench {
   static async begin({ plan = [], size = { width: 1400, height: 900 }, dark = false } = {}) {
     const bench = new Bench();
     bench.folder = mkdtempSync(join(tmpdir(), "trace-page-"));
-    bench.server = spawn(program, ["trace", ...plan, "--out", bench.folder, "--quiet"], { stdio: ["ignore", "pipe", "inherit"] });
+    bench.server = spawn(program, ["trace", ...plan, "--out", bench.folder, "--quiet"], {
+      stdio: ["ignore", "pipe", "inherit"],
+    });
     bench.ended = new Promise((gone) => bench.server.on("exit", (code) => gone(code)));
     const url = await new Promise((found) => bench.server.stdout.once("data", (data) => found(String(data).trim())));
     bench.page = await browser.page({ viewport: size, colorScheme: dark ? "dark" : "light" });
@@ -74,7 +76,10 @@ export class Bench {
   async calibrate() {
     const box = await this.page.locator("canvas").boundingBox();
     const at = [];
-    for (const [u, v] of [[0.3, 0.3], [0.7, 0.7]]) {
+    for (const [u, v] of [
+      [0.3, 0.3],
+      [0.7, 0.7],
+    ]) {
       const x = box.x + Math.round(box.width * u);
       const y = box.y + Math.round(box.height * v);
       await this.page.mouse.move(x, y);

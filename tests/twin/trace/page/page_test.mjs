@@ -46,7 +46,14 @@ function saved(bench, name) {
   return readFileSync(join(bench.folder, name), "utf8");
 }
 async function runs(bench, name) {
-  const run = await twin("run", join(bench.folder, `${name}.scene.yaml`), "--out", join(bench.folder, "run"), "--no-pictures", "--quiet");
+  const run = await twin(
+    "run",
+    join(bench.folder, `${name}.scene.yaml`),
+    "--out",
+    join(bench.folder, "run"),
+    "--no-pictures",
+    "--quiet",
+  );
   const summary = JSON.parse(saved(bench, "run/summary.json"));
   assert.equal(run.code, 0, `${run.said} ${JSON.stringify(summary.expect)}`);
   return summary;
@@ -70,7 +77,10 @@ onThePage("the paper's map is drawn from nothing by mouse, saved, loaded and pla
   // "coming into the intersection c from the East side ... turns to the right at the intersection and going out to the
   // North side. Finally it will find another tag with the ID number 11" (section 3).
   const { steps } = await routeOf(bench, "9", "e");
-  assert.deepEqual(steps, ["Turn right and go north 6.0 m to d (tag 11).", "Turn right and go east 8.0 m to e (tag 13)."]);
+  assert.deepEqual(steps, [
+    "Turn right and go north 6.0 m to d (tag 11).",
+    "Turn right and go east 8.0 m to e (tag 13).",
+  ]);
 
   await bench.page.reload();
   await bench.press("Open");
@@ -100,16 +110,18 @@ onThePage("the same map is drawn with the keyboard alone", {}, async (bench) => 
   };
   const stroke = (way, metres) => press("Enter", ...times(way, 2 * metres), "Enter");
   await tabTo(() => document.activeElement?.tagName === "CANVAS");
-  await press("h", "ArrowRight");  // the cursor is there
-  await stroke("ArrowRight", 8);   // a, b
-  await stroke("ArrowUp", 6);      // c, north of b
-  await stroke("ArrowRight", 8);   // d
-  await stroke("ArrowDown", 6);    // e, south of d
-  await stroke("ArrowLeft", 8);    // joined with b
-  await stroke("ArrowDown", 6);    // f, south of b
+  await press("h", "ArrowRight"); // the cursor is there
+  await stroke("ArrowRight", 8); // a, b
+  await stroke("ArrowUp", 6); // c, north of b
+  await stroke("ArrowRight", 8); // d
+  await stroke("ArrowDown", 6); // e, south of d
+  await stroke("ArrowLeft", 8); // joined with b
+  await stroke("ArrowDown", 6); // f, south of b
   await press("u", ...times("ArrowUp", 24), ...times("ArrowRight", 18), "Enter");
   assert.match(await bench.verdict(), /^Sound/);
-  await tabTo(() => document.activeElement?.dataset.key === "tags N" || document.activeElement?.dataset.key === "tags E");
+  await tabTo(
+    () => document.activeElement?.dataset.key === "tags N" || document.activeElement?.dataset.key === "tags E",
+  );
   await bench.page.keyboard.type("21");
   await tabTo(() => document.activeElement?.dataset.key === "Number tags");
   await press("Enter");
@@ -120,7 +132,10 @@ onThePage("the same map is drawn with the keyboard alone", {}, async (bench) => 
   assert.equal((map.match(/tags: /g) ?? []).length, 13);
   assert.match(map, /"21"/);
   const { steps } = await routeOf(bench, "a", "d");
-  assert.deepEqual(steps.map((step) => step.replace(/ \(.*/, "")), ["Go east 8.0 m to b", "Turn left and go north 6.0 m to c", "Turn right and go east 8.0 m to d"]);
+  assert.deepEqual(
+    steps.map((step) => step.replace(/ \(.*/, "")),
+    ["Go east 8.0 m to b", "Turn left and go north 6.0 m to c", "Turn right and go east 8.0 m to d"],
+  );
 });
 
 onThePage("what was done is undone step by step and done again", {}, async (bench) => {
@@ -187,41 +202,49 @@ onThePage("somebody else's file is not replaced without a question", {}, async (
   assert.match(saved(bench, "plan.hallways.yaml"), /places:/);
 });
 
-onThePage("a plan is given scale and north, and what is drawn on it stays on it", { plan: [drawnFloor(desk)] }, async (bench) => {
-  assert.match(await bench.verdict(), /no scale yet/);
-  await bench.calibrate();
-  // Before it has a scale a pixel counts 5 cm: the picture is 15 by 10.
-  await bench.tool("Hallway");
-  await bench.drag([2, 2], [12, 2]);
-  await bench.tool("Scale");
-  await bench.drag([0.1, 1], [14.9, 1]);
-  await bench.field("Length of the line, m").fill("29.6");
-  await bench.press("Set scale");
-  await bench.quiet();
-  await bench.calibrate();
-  await bench.tool("North");
-  await bench.drag([10, 10], [15, 10]);  // what was east is north
-  await bench.press("Save");
-  await bench.says("Saved floor");
-  const { plan, hallways } = JSON.parse(saved(bench, "floor.trace.json"));
-  // To what a hand draws: the line's ends are pixels of the screen.
-  assert.ok(Math.abs(plan.resolution_m - 0.1) < 0.001, `${plan.resolution_m}`);
-  assert.ok(Math.abs(plan.origin[2] - Math.PI / 2) < 0.01, `${plan.origin}`);
-  const [a, b] = hallways.places;
-  assert.equal(a.N.to, "b");  // it was drawn east
-  assert.ok(Math.abs(a.N.length_m - 20) < 0.2, `${a.N.length_m}`);
-  assert.ok(Math.abs(b.at_m[0] - a.at_m[0]) < 0.1 && Math.abs(b.at_m[1] - a.at_m[1] - 20) < 0.2, `${b.at_m}`);
+onThePage(
+  "a plan is given scale and north, and what is drawn on it stays on it",
+  { plan: [drawnFloor(desk)] },
+  async (bench) => {
+    assert.match(await bench.verdict(), /no scale yet/);
+    await bench.calibrate();
+    // Before it has a scale a pixel counts 5 cm: the picture is 15 by 10.
+    await bench.tool("Hallway");
+    await bench.drag([2, 2], [12, 2]);
+    await bench.tool("Scale");
+    await bench.drag([0.1, 1], [14.9, 1]);
+    await bench.field("Length of the line, m").fill("29.6");
+    await bench.press("Set scale");
+    await bench.quiet();
+    await bench.calibrate();
+    await bench.tool("North");
+    await bench.drag([10, 10], [15, 10]); // what was east is north
+    await bench.press("Save");
+    await bench.says("Saved floor");
+    const { plan, hallways } = JSON.parse(saved(bench, "floor.trace.json"));
+    // To what a hand draws: the line's ends are pixels of the screen.
+    assert.ok(Math.abs(plan.resolution_m - 0.1) < 0.001, `${plan.resolution_m}`);
+    assert.ok(Math.abs(plan.origin[2] - Math.PI / 2) < 0.01, `${plan.origin}`);
+    const [a, b] = hallways.places;
+    assert.equal(a.N.to, "b"); // it was drawn east
+    assert.ok(Math.abs(a.N.length_m - 20) < 0.2, `${a.N.length_m}`);
+    assert.ok(Math.abs(b.at_m[0] - a.at_m[0]) < 0.1 && Math.abs(b.at_m[1] - a.at_m[1] - 20) < 0.2, `${b.at_m}`);
 
-  await bench.page.reload();
-  await bench.press("Open");
-  await bench.page.getByRole("button", { name: /^floor\.trace\.json/ }).click();
-  await bench.says("floor: 2 places");
-  assert.match(await bench.page.locator("footer").innerText(), /1 px = 10 cm/);
-});
+    await bench.page.reload();
+    await bench.press("Open");
+    await bench.page.getByRole("button", { name: /^floor\.trace\.json/ }).click();
+    await bench.says("floor: 2 places");
+    assert.match(await bench.page.locator("footer").innerText(), /1 px = 10 cm/);
+  },
+);
 
 onThePage("a picture that is none is refused in words", {}, async (bench) => {
   await bench.press("Open");
-  await bench.page.setInputFiles("#upload", { name: "notes.png", mimeType: "image/png", buffer: Buffer.from("no picture") });
+  await bench.page.setInputFiles("#upload", {
+    name: "notes.png",
+    mimeType: "image/png",
+    buffer: Buffer.from("no picture"),
+  });
   await bench.says("notes.png");
   assert.match(await bench.said(), /error|is /);
 });
@@ -244,23 +267,32 @@ onThePage("a carpet is laid in a room, and the twin maps it", {}, async (bench) 
   assert.equal((await runs(bench, "carpet")).map.tiles_mapped, 23);
 });
 
-onThePage("a carpet is laid on the floor of a plan, and the twin maps it", { plan: [drawnBuilding(desk)] }, async (bench) => {
-  await bench.calibrate();
-  await bench.tool("Carpet");
-  await bench.drag([0, -0.9], [5, 0.9]);
-  await sceneTaken(bench);
-  await bench.press("Save scene");
-  await bench.says("Saved building.map.pgm, building.map.yaml");
-  const summary = await runs(bench, "building");
-  assert.equal(summary.map.tiles_mapped, summary.map.tiles_reachable);
-});
+onThePage(
+  "a carpet is laid on the floor of a plan, and the twin maps it",
+  { plan: [drawnBuilding(desk)] },
+  async (bench) => {
+    await bench.calibrate();
+    await bench.tool("Carpet");
+    await bench.drag([0, -0.9], [5, 0.9]);
+    await sceneTaken(bench);
+    await bench.press("Save scene");
+    await bench.says("Saved building.map.pgm, building.map.yaml");
+    const summary = await runs(bench, "building");
+    assert.equal(summary.map.tiles_mapped, summary.map.tiles_reachable);
+  },
+);
 
 onThePage("ceiling tags are hung in a room, and the twin drives along them", {}, async (bench) => {
   await bench.calibrate();
   await bench.tool("Room");
   await bench.drag([-2, 3], [10, -5]);
   await bench.tool("Ceiling tag");
-  for (const at of [[0, 0], [4, 0], [8, 0], [8, -3]]) {
+  for (const at of [
+    [0, 0],
+    [4, 0],
+    [8, 0],
+    [8, -3],
+  ]) {
     await bench.click(at);
   }
   await bench.tool("Start");
@@ -274,47 +306,55 @@ onThePage("ceiling tags are hung in a room, and the twin drives along them", {},
   assert.equal((await runs(bench, "tags")).path.arrived, 1);
 });
 
-onThePage("a hallway mission runs through the building that was drawn, by the way that the page plans", {}, async (bench) => {
-  await drawThePapersMap(bench);
-  await typeTags(bench);
-  await bench.tab("Scene");
-  await bench.field("From").selectOption("a");
-  await bench.field("To").selectOption("e");
-  await sceneTaken(bench);
-  await bench.press("Save scene");
-  await bench.says("Saved plan.hallways.yaml, plan.scene.yaml");
-  const summary = await runs(bench, "plan");
-  const { text } = await routeOf(bench, "a", "e");
-  assert.match(text, new RegExp(`^${summary.hallway.shortest_m.toFixed(1)} m`));
-});
+onThePage(
+  "a hallway mission runs through the building that was drawn, by the way that the page plans",
+  {},
+  async (bench) => {
+    await drawThePapersMap(bench);
+    await typeTags(bench);
+    await bench.tab("Scene");
+    await bench.field("From").selectOption("a");
+    await bench.field("To").selectOption("e");
+    await sceneTaken(bench);
+    await bench.press("Save scene");
+    await bench.says("Saved plan.hallways.yaml, plan.scene.yaml");
+    const summary = await runs(bench, "plan");
+    const { text } = await routeOf(bench, "a", "e");
+    assert.match(text, new RegExp(`^${summary.hallway.shortest_m.toFixed(1)} m`));
+  },
+);
 
 for (const dark of [false, true]) {
   for (const full of [false, true]) {
     const name = `${dark ? "dark" : "light"}_${full ? "full" : "empty"}`;
-    onThePage(`axe-core finds nothing on the page, ${name.replace("_", " and ")}`, { dark, plan: full ? [drawnBuilding(desk)] : [] }, async (bench) => {
-      if (full) {
-        await drawThePapersMap(bench);
-        await typeTags(bench);
-        await bench.place("e").click();
-        await bench.quiet();
-      }
-      const found = [];
-      for (const tab of ["Places", "Route", "Scene", "Plan"]) {
-        await bench.tab(tab);
-        if (full && tab === "Route") {
-          await routeOf(bench, "9", "e");
+    onThePage(
+      `axe-core finds nothing on the page, ${name.replace("_", " and ")}`,
+      { dark, plan: full ? [drawnBuilding(desk)] : [] },
+      async (bench) => {
+        if (full) {
+          await drawThePapersMap(bench);
+          await typeTags(bench);
+          await bench.place("e").click();
+          await bench.quiet();
         }
-        await bench.quiet();
+        const found = [];
+        for (const tab of ["Places", "Route", "Scene", "Plan"]) {
+          await bench.tab(tab);
+          if (full && tab === "Route") {
+            await routeOf(bench, "9", "e");
+          }
+          await bench.quiet();
+          found.push(...(await browser.violations(bench.page)));
+          await picture(bench, `trace_${name}_${tab.toLowerCase()}`);
+        }
+        await bench.press("Help");
         found.push(...(await browser.violations(bench.page)));
-        await picture(bench, `trace_${name}_${tab.toLowerCase()}`);
-      }
-      await bench.press("Help");
-      found.push(...(await browser.violations(bench.page)));
-      await bench.press("Close");
-      await bench.press("Open");
-      found.push(...(await browser.violations(bench.page)));
-      assert.deepEqual(found, []);
-    });
+        await bench.press("Close");
+        await bench.press("Open");
+        found.push(...(await browser.violations(bench.page)));
+        assert.deepEqual(found, []);
+      },
+    );
   }
 }
 

@@ -18,12 +18,20 @@ function pgm(wide, high, dark) {
 /** 300 by 200 pixels: a frame, and a wall from the middle upwards. Nothing says how large it is. */
 export function drawnFloor(folder) {
   const file = join(folder, "floor.pgm");
-  writeFileSync(file, pgm(300, 200, (u, v) => u < 3 || v < 3 || u > 296 || v > 196 || (Math.abs(u - 150) < 2 && v < 100)));
+  writeFileSync(
+    file,
+    pgm(300, 200, (u, v) => u < 3 || v < 3 || u > 296 || v > 196 || (Math.abs(u - 150) < 2 && v < 100)),
+  );
   return file;
 }
 
 /** Hallways of the paper's map, 2 m wide, as [west, south, east, north]; rooms with doors lie around them. */
-const strips = [[-1, -1, 17, 1], [7, -7, 9, 7], [7, 5, 22, 7], [15, -1, 17, 7]];
+const strips = [
+  [-1, -1, 17, 1],
+  [7, -7, 9, 7],
+  [7, 5, 22, 7],
+  [15, -1, 17, 7],
+];
 const [west, south, east, north] = [-4, -10, 22, 10];
 const margin = 1;
 const cell = 0.05;
@@ -56,9 +64,14 @@ function isWall(x, y) {
 export function drawnBuilding(folder) {
   const wide = Math.round((east - west + 2 * margin) / cell);
   const high = Math.round((north - south + 2 * margin) / cell);
-  const picture = pgm(wide, high, (u, v) => isWall(west - margin + (u + 0.5) * cell, north + margin - (v + 0.5) * cell));
+  const picture = pgm(wide, high, (u, v) =>
+    isWall(west - margin + (u + 0.5) * cell, north + margin - (v + 0.5) * cell),
+  );
   writeFileSync(join(folder, "building.pgm"), picture);
   const file = join(folder, "building.yaml");
-  writeFileSync(file, `image: building.pgm\nresolution: ${cell}\norigin: [${west - margin}, ${south - margin}, 0]\nnegate: 0\noccupied_thresh: 0.65\nfree_thresh: 0.196\n`);
+  writeFileSync(
+    file,
+    `image: building.pgm\nresolution: ${cell}\norigin: [${west - margin}, ${south - margin}, 0]\nnegate: 0\noccupied_thresh: 0.65\nfree_thresh: 0.196\n`,
+  );
   return file;
 }

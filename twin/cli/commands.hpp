@@ -54,6 +54,15 @@ struct ServeOptions {
 };
 [[nodiscard]] Command make_serve_command(Deed<ServeOptions> deed);
 
+struct TraceOptions {
+  std::optional<std::filesystem::path>
+      plan{};                                  ///< picture, map, hallway map or tracing; none: an empty sheet
+  std::optional<std::filesystem::path> out{};  ///< folder, or a hallway map in one; none: where the plan lies
+  std::string listen{"127.0.0.1:0"};           ///< port 0: any free one
+  bool open{false};                            ///< the page in the desktop's browser
+};
+[[nodiscard]] Command make_trace_command(Deed<TraceOptions> deed);
+
 struct ValidateOptions {
   SceneChoice choice{};
   std::vector<std::uint64_t> seeds{};          ///< ascending, each once

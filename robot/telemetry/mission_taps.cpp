@@ -33,7 +33,7 @@ void append_links(std::string& to, const Program& program) {
            {"frames_missed", static_cast<std::int64_t>(base.frames_missed)},
            {"card_exchanges", static_cast<std::int64_t>(floor.exchanges)},
            {"card_failed", static_cast<std::int64_t>(floor.removed + floor.timeouts)},
-           {"compass_corrupt", static_cast<std::int64_t>(program.compass().health().bad_checksum)}});
+           {"compass_corrupt", static_cast<std::int64_t>(program.sensor_board().health().bad_checksum)}});
 }
 
 }  // namespace
@@ -156,8 +156,8 @@ void ProgramTap::show_way(const HallwayProgram& program) {
   if (const auto heading = program.tracker().heading_rad()) {
     append_json_fields(body, {{"heading", *heading}});
   }
-  if (const auto axis = program.tracker().axis()) {
-    append_json_fields(body, {{"axis", std::string(1, letter_of(*axis))}});
+  if (const auto axis_rad = program.tracker().axis_rad()) {
+    append_json_fields(body, {{"axis", *axis_rad}});
   }
   if (const HallwayMission* mission = program.mission()) {
     const HallwayStatus& status = mission->status();

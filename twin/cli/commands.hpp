@@ -49,6 +49,7 @@ struct ServeOptions {
   bool cards{true};
   bool wait_for_cards{false};
   bool strict_baud{false};
+  bool truth{false};
   std::optional<double> end_after_sim_s{};
   std::optional<std::string> monitor{};  ///< as of RunOptions
 };

@@ -44,6 +44,7 @@ void add_wire_options(CLI::App& app, ServeOptions& options) {
       "--no-cards", [&options] { options.cards = false; }, "Leave the card slots alone");
   app.add_flag("--wait-for-cards", options.wait_for_cards,
                "Let the world stand still until pcscd has noticed that a tag came or went (0.4 s)");
+  app.add_flag("--truth", options.truth, "Leave truth.csv: where the robot was in truth, every 15 ms");
   app.add_flag("--strict-baud", options.strict_baud,
                "Lose what is said to the base at a wrong speed, as a cable does");
 }

@@ -53,6 +53,7 @@ ServerSettings settings_of(const ServeOptions& asked, Context& context, StatusLi
   settings.folder = asked.out.value_or(default_serve_folder(asked.choice.scene));
   settings.factor = asked.factor;
   settings.wait_for_cards = asked.wait_for_cards;
+  settings.truth = asked.truth;
   settings.wires.strict_baud = asked.strict_baud;
   if (asked.llrp) {
     settings.wires.llrp = endpoint_of("--llrp", *asked.llrp);

@@ -24,6 +24,8 @@ constexpr double kNoticed_s = 1.5;
 /// What a client of pcscd may take to speak to a tag that pcscd has noticed. Chosen: ten of sensobot's looks,
 /// two SCardConnects. Who only watches costs so much a tag.
 constexpr double kSpeaks_s = 0.1;
+/// When the client has only just come. Chosen: it opens its other devices too.
+constexpr double kFirst_s = 1.0;
 /// And to look once more, when one has gone. Chosen: sensobot looks every 7 ms.
 constexpr double kLooks_s = 0.015;
 /// Seven of pcscd's looks (0.4 s each) without one for us.
@@ -119,6 +121,12 @@ bool CardWire::is_settled(double wall_s) const {
     return wall_s - dialled_s_ > kSilent_s;
   }
   return known || peer_ != Peer::kServing || wall_s - changed_s_ > kNoticed_s;
+}
+
+void CardWire::await_client(double wall_s) {
+  spoken_to_ = false;
+  changed_s_ = wall_s;
+  noticed_s_ = wall_s + kFirst_s - kSpeaks_s;
 }
 
 void CardWire::dial(double wall_s) {

@@ -40,10 +40,13 @@ class CardWire final : public Wire {
   [[nodiscard]] const Endpoint& endpoint() const { return vpcd_; }
   /// vpcd has been told that there is a tag.
   [[nodiscard]] bool card_is_in() const { return told_in_; }
-  /// pcscd knows what is in the field now and whoever asks it has had time to act on that: has spoken to a tag
-  /// that came, or could have looked once more when one went. True too when nobody asks, or all have had time
-  /// enough.
+  /// pcscd knows what is in the field now and whoever asks it has had time to act on that: has spoken to a
+  /// tag that came, or could have looked once more when one went. True too when nobody asks, or all have had
+  /// time enough.
   [[nodiscard]] bool is_settled(double wall_s) const;
+  /// Somebody has come to drive the robot: the tag that it stands on has not been spoken to by this client,
+  /// who gets a second for it.
+  void await_client(double wall_s);
 
  private:
   void do_watch(std::vector<pollfd>& handles) const override;

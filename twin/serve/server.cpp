@@ -63,7 +63,14 @@ struct Server::State {
         wires(twin, settings.wires, folder.path(), settings.warn),
         tap(settings.telemetry, scene),
         begun_s(settings.wall_s()),
-        pacer(settings.factor, begun_s) {}
+        pacer(settings.factor, begun_s) {
+    if (settings.truth) {
+      truth.emplace(folder.path() / "truth.csv");
+      truth->append("t_s,x_m,y_m,yaw_rad\n");
+    }
+  }
+
+  void tick();
 
   void tick_or_sleep(double wall_s);
   void announce();
@@ -81,7 +88,18 @@ struct Server::State {
   std::optional<Devices> announced;
   double waited_s{0.0};
   std::optional<double> waits_since_s;
+  std::optional<OutputFile> truth;
 };
+
+void Server::State::tick() {
+  twin.tick();
+  tap.after_tick(twin);
+  if (truth) {
+    const robot::Pose2& X_WR = twin.machine().world().X_WR();
+    truth->append(fmt::format("{:.3f},{:.5f},{:.5f},{:.5f}\n", robot::to_s(twin.now()), X_WR.p_m.x(),
+                              X_WR.p_m.y(), X_WR.yaw_rad));
+  }
+}
 
 void Server::State::tick_or_sleep(double wall_s) {
   wires.pump(wall_s);
@@ -94,8 +112,7 @@ void Server::State::tick_or_sleep(double wall_s) {
   const bool follows = pacer.follows_client() && wires.base().client_is_up_to_date();
   const double wait_s = waits ? kCardLook_s : pacer.wait_s(wall_s, follows);
   if (wait_s <= 0.0) {
-    twin.tick();
-    tap.after_tick(twin);
+    tick();
     pacer.tick(wall_s);
     return;
   }
@@ -157,6 +174,9 @@ ServeStatus Server::run(const std::function<void(const ServeStatus&)>& show) {
   OutputFile file(state.folder.path() / "serve.json");
   file.append(to_json(last, state.scene, state.settings));
   file.finish();
+  if (state.truth) {
+    state.truth->finish();
+  }
   return last;
 }
 

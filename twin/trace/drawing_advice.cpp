@@ -8,7 +8,6 @@
 #include <cstdlib>
 #include <optional>
 
-#include "twin/scene/hallway_building.hpp"
 
 namespace sensotwin::twin {
 namespace {
@@ -70,7 +69,8 @@ void advise_on_shape(const HallwayMap& map, const Drawn& hallway, std::vector<Ha
   const Vec2 way = hallway.b_m - hallway.a_m;
   const robot::HallwayNode& from = map.node(hallway.a);
   const std::string& to = map.node(hallway.b).name;
-  const Vec2 along = towards(hallway.side);
+  const double bearing_rad = from.bearing_rad(hallway.side);
+  const Vec2 along{-std::sin(bearing_rad), std::cos(bearing_rad)};
   const double off_rad = std::abs(std::atan2(cross(along, way), along.dot(way)));
   if (way.norm() > 1e-6 && off_rad > kOffAxisMax_rad) {
     advice.push_back({from.name, hallway.side,

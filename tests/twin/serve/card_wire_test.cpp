@@ -195,6 +195,16 @@ TEST_F(ServedCard, KnowsWhenPcscdHasNoticed) {
   EXPECT_TRUE(until([&] { return wire_.is_settled(now_s_); }));
 }
 
+TEST_F(ServedCard, WaitsForTheFirstWordOfAClientThatHasJustCome) {
+  put_in();
+  EXPECT_TRUE(until([&] { return wire_.is_settled(now_s_); })) << "nobody drives";
+  wire_.await_client(now_s_);
+  EXPECT_FALSE(wire_.is_settled(now_s_ + 0.9));
+  EXPECT_TRUE(wire_.is_settled(now_s_ + 1.1)) << "it does not care for tags";
+  EXPECT_EQ(ask({0xFF, 0xCA, 0x00, 0x00, 0x00}).size(), 12u);
+  EXPECT_TRUE(wire_.is_settled(now_s_));
+}
+
 TEST_F(ServedCard, ShowsAnExchangedTagAsARemovedOne) {
   put_in();
   field_ = &other_;

@@ -33,6 +33,8 @@ constexpr double kFirstAside_m = 0.30;
 constexpr double kNextAside_m = 0.15;
 /// At most so far: there is room for more than a box or a person there.
 constexpr double kAside_m = 1.5;
+/// Where no wall has been seen on a side there is an opening, and it is not gone into. Chosen.
+constexpr double kUnseenWall_m = 0.9;
 /// It is beside what it passes where the way ahead is free for so much. Chosen: farther than that stood ahead
 /// before it swung out.
 constexpr double kPassClear_m = 0.75;
@@ -132,7 +134,7 @@ Task<bool> HallwayPilot::pass_on(bool left) {
   co_await back(kPassBack_m);
   const double axis_rad = *tracker_.axis_rad();
   const std::optional<double>& wall_m = (left ? tracker_.left() : tracker_.right()).last_m;
-  const double room_m = std::min(wall_m.value_or(kAside_m) - config_.radius_m - kClearance_m, kAside_m);
+  const double room_m = std::min(wall_m.value_or(kUnseenWall_m) - config_.radius_m - kClearance_m, kAside_m);
   bool passed = false;
   double aside_m = 0.0;
   straight_on_ = true;
@@ -141,7 +143,8 @@ Task<bool> HallwayPilot::pass_on(bool left) {
     const double heading_rad = wrap_angle(axis_rad + (left ? out_rad : -out_rad));
     co_await turn_by_heading(heading_rad);
     const double end_m = tracker_.way_m() + step_m / std::sin(out_rad);
-    while (tracker_.way_m() < end_m && !bumped()) {
+    while (tracker_.way_m() < end_m && !bumped() &&
+           tracker_.ahead_m().value_or(config_.sonar_range_m) > kClearance_m) {
       command(ramped(kPass_mps), 0.0);
       co_await step_.next;
     }
@@ -161,6 +164,17 @@ Task<bool> HallwayPilot::pass_on(bool left) {
   }
   co_await brake();
   straight_on_ = false;
+  if (!passed) {
+    const double home_rad = wrap_angle(axis_rad + (left ? -0.5 : 0.5) * kPi);
+    co_await turn_by_heading(home_rad);
+    const double home_m = tracker_.way_m() + aside_m;
+    while (tracker_.way_m() < home_m && !bumped()) {
+      command(ramped(kPass_mps), 0.0);
+      co_await step_.next;
+    }
+    co_await brake();
+    co_await turn_by_heading(axis_rad);
+  }
   co_return passed;
 }
 

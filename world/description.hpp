@@ -129,6 +129,25 @@ struct HallwayTag {
   Vec2 at_m{0.0, 0.0};
 };
 
+/// Somebody who walks about: seen by sonars and felt by the bumper as a disc. Stops before a robot.
+struct Person {
+  std::vector<Vec2> path_m;          ///< at least one point; of one point: stands there
+  double start_s{0.0};               ///< comes then, or as soon as the robot is not on the spot
+  std::optional<double> leaves_s{};  ///< is gone from then on; else at the end of the path
+  double speed_mps{1.0};             ///< Chosen: unhurried; 1.4 is brisk
+  double radius_m{0.22};             ///< Chosen: two feet and what swings between them, at the robot's height
+  bool to_and_fro{false};            ///< turns at the ends of the path, and does not leave
+};
+
+/// Somebody who turns the robot where it stands at a place of the hallway map, as a wrong exit that no wheel
+/// tells of (algorithms study, D: "wrong (90-deg) exits").
+struct ShoveDescription {
+  double share{0.0};  ///< of the stops at a place, at most one a visit
+  double turn_rad{1.5707963267948966};
+  double within_m{0.8};  ///< of the place. Chosen: where a robot stops that comes to it
+  std::vector<Vec2> places_m;
+};
+
 struct WorldDescription {
   std::vector<Wall> walls;
   std::vector<Furniture> furniture;
@@ -144,6 +163,8 @@ struct WorldDescription {
   double north_yaw_rad{1.5707963267948966};
   std::vector<HallwayTag> hallway_tags;
   double hallway_tag_reach_m{0.3};  ///< algorithms study, D: 0.3 to 1 m
+  std::vector<Person> people;
+  ShoveDescription shoves;
   std::optional<RadioWorld> radio;  ///< ceiling tags and who hears them; the floor tags below are TagField's
 };
 

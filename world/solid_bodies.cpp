@@ -69,6 +69,22 @@ void weigh(b2Body& made, double mass_kg) {
 
 }  // namespace
 
+bool contact_types_known() {
+  static const bool known = [] {
+    b2World scratch{b2Vec2{0.0F, 0.0F}};
+    b2BodyDef moving;
+    moving.type = b2_dynamicBody;
+    b2CircleShape disc;
+    disc.m_radius = 1.0F;
+    for (int i = 0; i < 2; ++i) {
+      scratch.CreateBody(&moving)->CreateFixture(&disc, 1.0F);
+    }
+    scratch.Step(0.01F, 1, 1);
+    return scratch.GetContactCount() == 1;
+  }();
+  return known;
+}
+
 Vec2 middle_m(const std::vector<Wall>& walls, const Vec2& otherwise_m) {
   Vec2 low_m = otherwise_m;
   Vec2 high_m = otherwise_m;

@@ -41,6 +41,31 @@ Hit first_hit(const Outline& around, const Vec2& from_m, const Vec2& direction, 
   return hit;
 }
 
+double cross(const Vec2& a, const Vec2& b) {
+  return a.x() * b.y() - a.y() * b.x();
+}
+
+/// What may lie in a cone: all but walls that end on the same far side of one of its edges. Of a ragged
+/// building an eighth is left, and the echoes are the same.
+Outline in_cone_of(const Outline& around, const Vec2& from_m, double bearing_rad, double half_angle_rad) {
+  const Vec2 left = direction_of(bearing_rad + half_angle_rad);
+  const Vec2 right = direction_of(bearing_rad - half_angle_rad);
+  // Rays along an edge belong to the cone, whatever their rounding.
+  constexpr double kEdge_m2 = 1e-6;
+  Outline cone;
+  cone.discs = around.discs;
+  for (const Segment& wall : around.segments) {
+    const Vec2 a = wall.a_m - from_m;
+    const Vec2 b = wall.b_m - from_m;
+    const bool beyond_left = cross(left, a) > kEdge_m2 && cross(left, b) > kEdge_m2;
+    const bool beyond_right = cross(right, a) < -kEdge_m2 && cross(right, b) < -kEdge_m2;
+    if (!beyond_left && !beyond_right) {
+      cone.segments.push_back(wall);
+    }
+  }
+  return cone;
+}
+
 bool same(const Segment& a, const Segment& b) {
   return a.a_m == b.a_m && a.b_m == b.b_m;
 }
@@ -119,7 +144,8 @@ std::vector<std::optional<double>> SonarRing::echoes_m(const ObstacleIndex& fixe
   echoes.reserve(sonar_.bearings_rad.size());
   for (const double bearing_rad : sonar_.bearings_rad) {
     const Vec2 from_m = X_WR * (sonar_.mount_radius_m * direction_of(bearing_rad)).eval();
-    echoes.push_back(echo_m(around, from_m, X_WR.yaw_rad + bearing_rad));
+    const double yaw_rad = X_WR.yaw_rad + bearing_rad;
+    echoes.push_back(echo_m(in_cone_of(around, from_m, yaw_rad, sonar_.half_angle_rad), from_m, yaw_rad));
   }
   return echoes;
 }

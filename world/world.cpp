@@ -16,6 +16,7 @@
 #include "world/box2d_clock.hpp"
 #include "world/compass_field.hpp"
 #include "world/obstacles.hpp"
+#include "world/people.hpp"
 #include "world/solid_bodies.hpp"
 #include "world/sonar_ring.hpp"
 #include "world/traction.hpp"
@@ -53,6 +54,7 @@ struct World::State {
   void feel_contacts();
   void draw_current(const RoombaOutputs& outputs);
   void follow_furniture();
+  void turn_by_hand();
   void place();
   /// Of an antenna in R, in W.
   [[nodiscard]] Vec2 in_W(const Vec2& p_R_m) const {
@@ -85,6 +87,9 @@ struct World::State {
   double floor_tag_radius_m;
   CompassField compass;
   std::optional<SonarRing> sonar;
+  People people;
+  Shoves shoves;
+  std::uint64_t ticks{0};
   ContactCounts contacts;
   BumpSwitches bumped;
   std::array<double, 4> motor_ma{};
@@ -96,29 +101,6 @@ namespace {
 
 BodyMass robot_mass(const RoombaDescription& base) {
   return {.mass_kg = base.mass_kg, .inertia_kgm2 = 0.5 * base.mass_kg * base.radius_m * base.radius_m};
-}
-
-}  // namespace
-
-namespace {
-
-/// Box2D 2.4.1 fills its table of contact types at the first contact of the process, without a lock
-/// (b2Contact::Create): two worlds whose first contacts fall together in two threads could find it half
-/// filled and miss one. So the first contact happens here, behind the lock of a local static.
-bool contact_types_known() {
-  static const bool known = [] {
-    b2World scratch{b2Vec2{0.0F, 0.0F}};
-    b2BodyDef moving;
-    moving.type = b2_dynamicBody;
-    b2CircleShape disc;
-    disc.m_radius = 1.0F;
-    for (int i = 0; i < 2; ++i) {
-      scratch.CreateBody(&moving)->CreateFixture(&disc, 1.0F);
-    }
-    scratch.Step(0.01F, 1, 1);
-    return scratch.GetContactCount() == 1;
-  }();
-  return known;
 }
 
 }  // namespace
@@ -138,7 +120,9 @@ World::State::State(const WorldDescription& world, const RobotDescription& robot
       battery(robot.base),
       tags(world, random.fork("tags")),
       floor_tag_radius_m(world.radio ? world.radio->floor_tag_radius_m : world.hallway_tag_reach_m),
-      compass(world, robot.compass, random.fork("compass")) {
+      compass(world, robot.compass, random.fork("compass")),
+      people(box, world.people, origin_m),
+      shoves(world.shoves, random.fork("shoves")) {
   assert(steps_per_tick > 0);
   [[maybe_unused]] const bool stands = box2d_clock_stands();
   assert(stands);
@@ -222,8 +206,19 @@ void World::State::place() {
   ahead = X_WR.direction();
 }
 
+void World::State::turn_by_hand() {
+  const b2Vec2& v_W = body->GetLinearVelocity();
+  const bool still = v_W.Length() < static_cast<float>(kMoving_mps) &&
+                     std::abs(body->GetAngularVelocity()) < static_cast<float>(kTurning_rps);
+  const double turn_rad = shoves.turn_rad(pose(*body).p_m, still, kTick_s);
+  if (turn_rad != 0.0) {
+    body->SetTransform(body->GetPosition(), body->GetAngle() + static_cast<float>(turn_rad));
+  }
+  contacts.shoves = shoves.count();
+}
+
 void World::State::follow_furniture() {
-  pushed_near.clear();
+  pushed_near = people.outlines();
   const Vec2 at_m = X_WR.p_m;
   for (const Pushable& piece : pushables) {
     if (piece.body->IsAwake()) {
@@ -254,6 +249,7 @@ void World::tick(const RoombaOutputs& outputs) {
       drive * std::clamp(outputs.wheel_left_mps, -limit_mps, limit_mps),
       drive * std::clamp(outputs.wheel_right_mps, -limit_mps, limit_mps)};
   s.bumped = {};
+  s.people.walk(kTick_s * static_cast<double>(s.ticks++), kTick_s, s.X_WR.p_m, s.robot.base.radius_m);
   for (int i = 0; i < s.steps_per_tick; ++i) {
     s.step(target_mps);
   }
@@ -262,8 +258,9 @@ void World::tick(const RoombaOutputs& outputs) {
     s.body->SetTransform(s.body->GetPosition(),
                          static_cast<float>(robot::wrap_angle(static_cast<double>(s.body->GetAngle()))));
   }
+  s.turn_by_hand();
   s.place();
-  if (!s.pushables.empty()) {
+  if (!s.pushables.empty() || !s.people.none()) {
     s.follow_furniture();
   }
   s.docked = s.sensors.docked(s.X_WR);
@@ -334,8 +331,7 @@ std::vector<std::optional<double>> World::sonar_ranges_m() {
   if (!s.sonar) {
     return {};
   }
-  std::vector<Outline> pushed;
-  pushed.reserve(s.pushables.size());
+  std::vector<Outline> pushed = s.people.outlines();
   for (const Pushable& piece : s.pushables) {
     pushed.push_back(moved(piece.outline_F, s.X_WF[piece.index]));
   }

@@ -16,8 +16,9 @@ namespace sensotwin::world {
 
 /// What happened since the start, for logs and verdicts.
 struct ContactCounts {
-  std::uint64_t wall{0};  ///< times the shell came to touch something fixed
-  std::uint64_t push{0};  ///< times the shell came to touch something that can be pushed
+  std::uint64_t wall{0};    ///< times the shell came to touch something fixed
+  std::uint64_t push{0};    ///< times the shell came to touch something that can be pushed, or somebody
+  std::uint64_t shoves{0};  ///< times somebody turned it
   bool touching_wall{false};
   bool touching_pushable{false};
 };

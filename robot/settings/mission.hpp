@@ -69,6 +69,8 @@ struct HallwaySection {
   std::string to;      ///< place to go to
   bool survey{false};  ///< draws the map instead, and needs none
   double speed_mps{HallwayConfig{}.speed_mps};
+  HallwayLine follow{HallwayConfig{}.follow};
+  double wall_m{HallwayConfig{}.wall_m};  ///< of the wall that is followed
 };
 
 /// What the robot is to do. Exactly one member is set.

@@ -113,6 +113,10 @@ void hallway_fields(FieldVisitor& v, HallwaySection& mission) {
   place_name(v, {"to", "place to go to"}, mission.to);
   v.flag({"survey", "draws the hallway map instead of using one"}, mission.survey);
   v.number({"speed_mps", "driving, m/s"}, mission.speed_mps, {0.05, 0.45});
+  static constexpr std::array<std::string_view, 3> kLines{"middle", "left", "right"};
+  v.choice({"follow", "the middle of each hallway, or one of its walls"}, mission.follow, kLines);
+  v.number({"wall_m", "from the wall that is followed, m; at most half the hallway's width"}, mission.wall_m,
+           {0.25, 3.0});
 }
 
 }  // namespace

@@ -195,6 +195,8 @@ HallwayProgramConfig hallway_config_of(const RobotSettings& settings) {
   robot.tag_to_middle_m = hallways.tag_to_middle_m;
   robot.tag_reach_m = hallways.tag_reach_m;
   robot.speed_mps = mission.speed_mps;
+  robot.follow = mission.follow;
+  robot.wall_m = mission.wall_m;
   if (mission.survey) {
     config.mission = HallwaySurveyConfig{.robot = robot};
     return config;

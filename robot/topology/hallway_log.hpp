@@ -28,10 +28,11 @@ enum class HallwayEventKind : std::uint8_t {
   kWentRound,      ///< it was passed
   kBlocked,        ///< the hallway on this side is given up
   kBumped,         ///< touched something
+  kExplored,       ///< an unknown hallway leads here: the map has it now
   kMapWhole,       ///< of a survey: no hallway is left whose end is unknown
   kGoal,           ///< at the goal
   kNoWay,          ///< no free hallway leads to the goal: the mission ends here
-  kOnlyByUnknown,  ///< as kNoWay, but a hallway whose end is unknown might: the mission ends here
+  kOnlyByUnknown,  ///< as kNoWay, but a hallway whose end is unknown might, if it may be tried: the end
   kLost,           ///< no place where there has to be one, and none found again: the mission ends here
 };
 
@@ -64,6 +65,8 @@ enum class HallwayEventKind : std::uint8_t {
       return "hallway blocked";
     case HallwayEventKind::kBumped:
       return "touched something";
+    case HallwayEventKind::kExplored:
+      return "found where an unknown hallway leads";
     case HallwayEventKind::kMapWhole:
       return "map whole";
     case HallwayEventKind::kGoal:
@@ -80,10 +83,11 @@ enum class HallwayEventKind : std::uint8_t {
 
 /// For machines: snake case.
 [[nodiscard]] constexpr std::string_view name_of(HallwayEventKind kind) {
-  constexpr std::array<std::string_view, 18> kNames{
-      "placed",     "route",        "left",      "tag",     "strange_tag",     "arrived",
-      "tag_missed", "turned_wrong", "elsewhere", "waiting", "went_round",      "blocked",
-      "bumped",     "map_whole",    "goal",      "no_way",  "only_by_unknown", "lost"};
+  constexpr std::array<std::string_view, 19> kNames{
+      "placed",     "route",        "left",      "tag",     "strange_tag", "arrived",
+      "tag_missed", "turned_wrong", "elsewhere", "waiting", "went_round",  "blocked",
+      "bumped",     "explored",     "map_whole", "goal",    "no_way",      "only_by_unknown",
+      "lost"};
   return kNames[static_cast<std::size_t>(kind)];
 }
 

@@ -31,14 +31,11 @@ Task<> HallwayMission::run() {
     }
   }
   while (*status_.place != config_.goal) {
-    const auto route = plan_route(config_.map, *status_.place, config_.goal, blocked_);
-    if (!route) {
-      stop(route.error() == RouteError::kNoWay ? HallwayEventKind::kNoWay : HallwayEventKind::kOnlyByUnknown);
+    const std::optional<Step> step = next_step();
+    if (!step) {
       co_return;
     }
-    say(HallwayEventKind::kRoute, config_.goal, {}, route->cost);
-    const RouteStep first = route->steps.front();
-    const bool went = co_await go_on(first);
+    const bool went = co_await go_on(step->from, step->exit, step->to);
     if (!went) {
       stop(HallwayEventKind::kLost);
       co_return;
@@ -66,21 +63,44 @@ Task<bool> HallwayMission::find_place(double axis_rad) {
   co_return false;
 }
 
-Task<bool> HallwayMission::go_on(RouteStep step) {
-  const HallwayLeg leg = leg_of(step.from, step.exit);
+std::optional<HallwayMission::Step> HallwayMission::next_step() {
+  const auto route = plan_route(config_.map, *status_.place, config_.goal, blocked_);
+  if (route) {
+    say(HallwayEventKind::kRoute, config_.goal, {}, route->cost);
+    const RouteStep first = route->steps.front();
+    return Step{first.from, first.exit, first.to};
+  }
+  if (route.error() == RouteError::kNoWay) {
+    stop(HallwayEventKind::kNoWay);
+    return std::nullopt;
+  }
+  const auto frontier = nearest_unknown(config_.map, *status_.place, heading_, blocked_);
+  if (!config_.explore || !frontier) {
+    stop(HallwayEventKind::kOnlyByUnknown);
+    return std::nullopt;
+  }
+  if (frontier->route.steps.empty()) {
+    return Step{frontier->node, frontier->exit, std::nullopt};
+  }
+  const RouteStep first = frontier->route.steps.front();
+  return Step{first.from, first.exit, first.to};
+}
+
+Task<bool> HallwayMission::go_on(NodeIndex from, CompassPoint exit, std::optional<NodeIndex> to) {
+  const HallwayLeg leg = leg_of(from, exit);
   co_await walk_.pilot().turn_to(leg.axis_rad);
-  status_.leaving = step.exit;
-  status_.heading_for = step.to;
-  say(HallwayEventKind::kLeft, step.from, step.exit);
+  status_.leaving = exit;
+  status_.heading_for = to;
+  say(HallwayEventKind::kLeft, from, exit);
   HallwayPassage passage = co_await walk_.along(leg, *this);
   if (passage.end == PassageEnd::kBlocked) {
-    say(HallwayEventKind::kBlocked, step.from, step.exit);
-    blocked_.block(config_.map, step.from, step.exit);
+    say(HallwayEventKind::kBlocked, from, exit);
+    blocked_.block(config_.map, from, exit);
     const double home_rad = wrap_angle(leg.axis_rad + kPi);
     co_await walk_.pilot().turn_to(home_rad);
-    const HallwayLeg way_back{std::nullopt, opposite(step.exit), home_rad, step.from, passage.way_m};
+    const HallwayLeg way_back{std::nullopt, opposite(exit), home_rad, from, passage.way_m};
     passage = co_await walk_.along(way_back, *this);
-    status_.heading_for = step.from;
+    status_.heading_for = from;
   }
   if (passage.end != PassageEnd::kArrived) {
     // Nothing where a place should be: any tag will do, and it may have gone past the one it seeks.
@@ -88,8 +108,25 @@ Task<bool> HallwayMission::go_on(RouteStep step) {
     const bool found = co_await find_place(back_rad);
     co_return found;
   }
+  if (!to && status_.leaving == exit && !status_.heading_for) {
+    learn(leg, passage);
+  }
   co_await come_to(passage, status_.heading_for);
   co_return true;
+}
+
+void HallwayMission::learn(const HallwayLeg& leg, const HallwayPassage& passage) {
+  const Side& far = config_.map.node(passage.at.node).side(passage.at.from);
+  const bool straight = passage.at.from == opposite(leg.heading) && passage.at.node != *leg.from &&
+                        far.hallway != Hallway::kLeadsTo && !far.bearing_rad &&
+                        !config_.map.node(*leg.from).side(leg.heading).bearing_rad;
+  if (!straight) {
+    blocked_.block(config_.map, *leg.from, leg.heading);
+    return;
+  }
+  const double length_m = passage.way_m + passage.to_middle_m;
+  config_.map.connect(*leg.from, leg.heading, passage.at.node, length_m);
+  say(HallwayEventKind::kExplored, passage.at.node, passage.at.from, length_m);
 }
 
 Task<> HallwayMission::come_to(HallwayPassage passage, std::optional<NodeIndex> meant) {
@@ -98,6 +135,7 @@ Task<> HallwayMission::come_to(HallwayPassage passage, std::optional<NodeIndex> 
   }
   co_await walk_.pilot().advance(passage.to_middle_m);
   status_.place = passage.at.node;
+  heading_ = opposite(passage.at.from);
   status_.leaving.reset();
   status_.heading_for.reset();
 }

@@ -19,6 +19,8 @@ struct HallwayMissionConfig {
   /// section 3).
   std::optional<NodeIndex> start;
   NodeIndex goal{0};
+  /// Whether it tries hallways whose ends nobody knows where no other way leads to the goal.
+  bool explore{true};
 };
 
 /// For traces and pages.
@@ -37,7 +39,9 @@ struct HallwayStatus {
 /// What the paper leaves out: a tag that is not read is made up for by the junction that the sonars see where
 /// the map has one; a tag of another place than was meant sets the place right and plans anew; what stands in
 /// the way is waited for, gone round where there is room, and else the hallway is given up and another way
-/// planned. Each end that is not the goal is standing still with an entry in the log.
+/// planned; where only hallways might lead to the goal whose ends the map does not know, they are tried,
+/// nearest first, and the map is completed by what is found. Each end that is not the goal is standing still
+/// with an entry in the log.
 ///
 /// Neither copies nor moves: its behaviours hold references into it.
 class HallwayMission final : private PlaceWatcher {
@@ -60,7 +64,19 @@ class HallwayMission final : private PlaceWatcher {
   /// From anywhere: along the hallway until a tag tells.
   /// \param axis_rad  of the hallway it stands in
   Task<bool> find_place(double axis_rad);
-  Task<bool> go_on(RouteStep step);
+  /// \param to  nothing: nobody knows where the exit leads
+  Task<bool> go_on(NodeIndex from, CompassPoint exit, std::optional<NodeIndex> to);
+  /// The next step to the goal, or to the nearest hallway that is worth trying; nothing: there is none, and
+  /// it has said why.
+  struct Step {
+    NodeIndex from;
+    CompassPoint exit;
+    std::optional<NodeIndex> to;
+  };
+  [[nodiscard]] std::optional<Step> next_step();
+  /// An unknown hallway was gone to its end: the map is told, and what leads elsewhere than straight on is
+  /// not tried again.
+  void learn(const HallwayLeg& leg, const HallwayPassage& passage);
   Task<> come_to(HallwayPassage passage, std::optional<NodeIndex> meant);
 
   std::optional<HallwayPassage> by_tag(HallwayLeg& leg, TagNumber tag) override;
@@ -76,6 +92,7 @@ class HallwayMission final : private PlaceWatcher {
   HallwayWalk walk_;
   HallwayStatus status_;
   BlockedHallways blocked_;
+  CompassPoint heading_{CompassPoint::kNorth};  ///< at the last place
   Task<> script_;
 };
 

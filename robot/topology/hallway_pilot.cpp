@@ -24,8 +24,20 @@ constexpr double kClearance_m = 0.12;
 constexpr double kPass_mps = 0.15;
 constexpr double kPassBack_m = 0.45;
 constexpr double kPassBeside_m = 1.6;
-/// At most so far from the middle, where there is more room than a box or a person needs.
-constexpr double kAside_m = 1.0;
+/// How steeply it swings out, and how far aside at first and when that was too little. Chosen: half a robot
+/// and its clearance, and a hand more each time.
+constexpr double kPassOut_rad = 0.25 * kPi;
+/// The rest hardly brings it nearer.
+constexpr double kFartherOut_rad = rad_from_deg(80.0);
+constexpr double kFirstAside_m = 0.30;
+constexpr double kNextAside_m = 0.15;
+/// At most so far: there is room for more than a box or a person there.
+constexpr double kAside_m = 1.5;
+/// Where no wall has been seen on a side there is an opening, and it is not gone into. Chosen.
+constexpr double kUnseenWall_m = 0.9;
+/// It is beside what it passes where the way ahead is free for so much. Chosen: farther than that stood ahead
+/// before it swung out.
+constexpr double kPassClear_m = 0.75;
 
 }  // namespace
 
@@ -41,8 +53,7 @@ double HallwayPilot::ramped(double speed_mps) const {
 }
 
 void HallwayPilot::follow(double speed_mps) {
-  const double across_m = keep_left_m_ ? tracker_.left_of_middle_m().value_or(*keep_left_m_) - *keep_left_m_
-                                       : tracker_.left_of_line_m().value_or(0.0);
+  const double across_m = straight_on_ ? 0.0 : tracker_.left_of_line_m().value_or(0.0);
   const double astray_rad =
       tracker_.off_axis_rad() + std::clamp(std::atan(across_m / kLookahead_m), -kApproach_rad, kApproach_rad);
   command(ramped(speed_mps),
@@ -120,37 +131,50 @@ Task<> HallwayPilot::wait(Duration time) {
 }
 
 Task<bool> HallwayPilot::pass_on(bool left) {
-  const double room_m = std::min(kAside_m, 0.5 * tracker_.width_m() - config_.radius_m - kClearance_m);
-  if (room_m < config_.radius_m) {
-    co_return false;
-  }
   co_await back(kPassBack_m);
-  const double begin_m = tracker_.way_m();
-  keep_left_m_ = left ? room_m : -room_m;
-  // Out to the side first: what stands ahead is nearer than the line law needs to get there.
   const double axis_rad = *tracker_.axis_rad();
-  const double out_rad = wrap_angle(axis_rad + (left ? 1.0 : -1.0) * 0.25 * kPi);
-  co_await turn_by_heading(out_rad);
-  const double out_m =
-      std::abs(*keep_left_m_ - tracker_.left_of_middle_m().value_or(0.0)) / std::sin(0.25 * kPi);
-  const double out_end_m = tracker_.way_m() + out_m;
-  while (tracker_.way_m() < out_end_m && !in_the_way()) {
-    command(ramped(kPass_mps), 0.0);
-    co_await step_.next;
-  }
-  co_await brake();
-  co_await turn_by_heading(axis_rad);
-  bool passed = !bumped();
-  while (passed && tracker_.way_m() < begin_m + out_m + kPassBack_m + kPassBeside_m) {
-    if (in_the_way()) {
-      passed = false;
+  const std::optional<double>& wall_m = (left ? tracker_.left() : tracker_.right()).last_m;
+  const double room_m = std::min(wall_m.value_or(kUnseenWall_m) - config_.radius_m - kClearance_m, kAside_m);
+  bool passed = false;
+  double aside_m = 0.0;
+  straight_on_ = true;
+  for (double step_m = kFirstAside_m; !passed && aside_m + step_m < room_m; step_m = kNextAside_m) {
+    const double out_rad = aside_m > 0.0 ? kFartherOut_rad : kPassOut_rad;
+    const double heading_rad = wrap_angle(axis_rad + (left ? out_rad : -out_rad));
+    co_await turn_by_heading(heading_rad);
+    const double end_m = tracker_.way_m() + step_m / std::sin(out_rad);
+    while (tracker_.way_m() < end_m && !bumped() &&
+           tracker_.ahead_m().value_or(config_.sonar_range_m) > kClearance_m) {
+      command(ramped(kPass_mps), 0.0);
+      co_await step_.next;
+    }
+    aside_m += step_m;
+    co_await brake();
+    co_await turn_by_heading(axis_rad);
+    if (bumped()) {
       break;
     }
+    passed = tracker_.ahead_m().value_or(config_.sonar_range_m) > kPassClear_m;
+  }
+  const double end_m = tracker_.way_m() + kPassBeside_m;
+  while (passed && tracker_.way_m() < end_m) {
     follow(kPass_mps);
     co_await step_.next;
+    passed = !in_the_way();
   }
   co_await brake();
-  keep_left_m_.reset();
+  straight_on_ = false;
+  if (!passed) {
+    const double home_rad = wrap_angle(axis_rad + (left ? -0.5 : 0.5) * kPi);
+    co_await turn_by_heading(home_rad);
+    const double home_m = tracker_.way_m() + aside_m;
+    while (tracker_.way_m() < home_m && !bumped()) {
+      command(ramped(kPass_mps), 0.0);
+      co_await step_.next;
+    }
+    co_await brake();
+    co_await turn_by_heading(axis_rad);
+  }
   co_return passed;
 }
 

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <optional>
-
 #include "robot/base/task.hpp"
 #include "robot/topology/hallway_tracker.hpp"
 
@@ -52,8 +50,7 @@ class HallwayPilot {
   HallwayTracker& tracker_;
   HallwayStep& step_;
   double speed_mps_{0.0};
-  /// While something is passed: how far left of the middle it keeps.
-  std::optional<double> keep_left_m_;
+  bool straight_on_{false};  ///< while something is passed: walls do not matter
 };
 
 }  // namespace sensotwin::robot

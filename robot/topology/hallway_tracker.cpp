@@ -16,6 +16,13 @@ namespace {
 constexpr double kCompassGain = 0.02;
 /// A compass so far off is disturbed. Chosen: 20 times its noise.
 constexpr double kDisturbed_rad = rad_from_deg(20.0);
+/// Of what the compass says beyond the heading, in the mean that walls are judged by. Chosen: two seconds.
+constexpr double kCompassMean = 0.05;
+/// Walls that converge by more say nothing of the hallway's direction. Chosen: twice the slope's noise.
+constexpr double kParallel_rad = rad_from_deg(5.0);
+/// Farther than this walls do not lead the heading away from what the compass says: they are aslant. Chosen:
+/// buildings are drawn to the degree, and a compass on a robot is good to some.
+constexpr double kAslant_rad = rad_from_deg(5.0);
 /// Of each slope; a slope over 0.5 m with 1 cm of noise is good to 1.5 degrees, and neighbours share
 /// readings.
 constexpr double kWallGain = 0.06;
@@ -63,6 +70,7 @@ void HallwayTracker::enter(double axis_rad) {
 void HallwayTracker::correct(double left_rad) {
   if (heading_rad_) {
     heading_rad_ = wrap_angle(*heading_rad_ + left_rad);
+    compass_ahead_rad_ = 0.0;
   }
 }
 
@@ -98,6 +106,7 @@ void HallwayTracker::take_compass(double compass_rad) {
   const double off_rad = wrap_angle(measured_rad - *heading_rad_);
   if (std::abs(off_rad) < kDisturbed_rad) {
     heading_rad_ = wrap_angle(*heading_rad_ + kCompassGain * off_rad);
+    compass_ahead_rad_ += kCompassMean * (off_rad - compass_ahead_rad_);
   }
 }
 
@@ -130,8 +139,7 @@ void HallwayTracker::take_ranges(const SonarRanges& ranges_m) {
   if (axis_rad_ && heading_rad_ && std::abs(off_axis_rad()) < kAlong_rad) {
     take_side(flanks_[0], ranges_m.front());
     take_side(flanks_[1], ranges_m.back());
-    take_slope(0);
-    take_slope(1);
+    take_slopes();
     measure_width();
   } else {
     for (Flank& flank : flanks_) {
@@ -216,11 +224,11 @@ void HallwayTracker::look_for_wall(Flank& flank, const std::optional<double>& ne
   }
 }
 
-void HallwayTracker::take_slope(std::size_t side) {
+std::optional<double> HallwayTracker::turn_by_wall_rad(std::size_t side) const {
   const Flank& flank = flanks_[side];
   const std::span<const Sight> trail{flank.trail.data(), flank.sights};
   if (trail.size() < kFirm || trail.back().way_m - trail.front().way_m < kSlopeWay_m) {
-    return;
+    return std::nullopt;
   }
   double way = 0.0;
   double distance = 0.0;
@@ -239,8 +247,24 @@ void HallwayTracker::take_slope(std::size_t side) {
     squares += off * off;
   }
   // Going to the left, the left wall comes nearer and the right one goes away.
-  const double slope_rad = (side == 0 ? -1.0 : 1.0) * both / squares;
-  heading_rad_ = wrap_angle(*heading_rad_ + kWallGain * (slope_rad - headed / n));
+  return (side == 0 ? -1.0 : 1.0) * both / squares - headed / n;
+}
+
+void HallwayTracker::take_slopes() {
+  const std::optional<double> by_left_rad = turn_by_wall_rad(0);
+  const std::optional<double> by_right_rad = turn_by_wall_rad(1);
+  if (by_left_rad && by_right_rad && std::abs(*by_left_rad - *by_right_rad) > kParallel_rad) {
+    return;
+  }
+  for (const std::optional<double>& by_wall_rad : {by_left_rad, by_right_rad}) {
+    const double turn_rad = kWallGain * by_wall_rad.value_or(0.0);
+    const bool away = std::abs(compass_ahead_rad_ - turn_rad) > std::abs(compass_ahead_rad_);
+    if (away && std::abs(compass_ahead_rad_) > kAslant_rad) {
+      continue;
+    }
+    heading_rad_ = wrap_angle(*heading_rad_ + turn_rad);
+    compass_ahead_rad_ -= turn_rad;
+  }
 }
 
 std::optional<double> HallwayTracker::left_of_middle_m() const {

@@ -89,10 +89,13 @@ class HallwayTracker {
   void take_side(Flank& flank, const std::optional<double>& range_m);
   void see_wall(Flank& flank, double distance_m);
   void look_for_wall(Flank& flank, const std::optional<double>& nearest_m);
-  void take_slope(std::size_t side);
+  /// By how much more to the left the robot heads than it thinks, as one wall's slope tells.
+  [[nodiscard]] std::optional<double> turn_by_wall_rad(std::size_t side) const;
+  void take_slopes();
 
   HallwayConfig config_;
   std::optional<double> heading_rad_;
+  double compass_ahead_rad_{0.0};  ///< mean of what the compass says beyond the heading
   std::optional<double> axis_rad_;
   double way_m_{0.0};
   double width_m_;

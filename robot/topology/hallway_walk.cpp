@@ -11,6 +11,8 @@ namespace {
 constexpr double kConeTangent = 0.268;
 /// Back from what was touched. Chosen: the forward sonars see it from there.
 constexpr double kBackOff_m = 0.10;
+/// Within so much way it is the same thing that stands there. Chosen: a piece of furniture.
+constexpr double kSameThing_m = 1.0;
 
 }  // namespace
 
@@ -24,6 +26,7 @@ void HallwayWalk::take(const HallwaySensed& sensed) {
 
 Task<HallwayPassage> HallwayWalk::along(HallwayLeg leg, PlaceWatcher& watcher) {
   tracker_.enter(leg.axis_rad);
+  waited_m_ = -kSameThing_m;
   tag_.reset();
   // Of the leg as it stands: a tag may set it right.
   const auto longest_m = [&] {
@@ -62,8 +65,12 @@ Task<bool> HallwayWalk::past_obstacle() {
     co_await pilot_.back(kBackOff_m);
   }
   co_await pilot_.brake();
-  say(HallwayEventKind::kWaiting);
-  co_await pilot_.wait(config_.patience);
+  // What did not go away a moment ago is furniture.
+  if (tracker_.way_m() > waited_m_ + kSameThing_m || tracker_.way_m() < waited_m_) {
+    say(HallwayEventKind::kWaiting);
+    co_await pilot_.wait(config_.patience);
+  }
+  waited_m_ = tracker_.way_m();
   if (!pilot_.in_the_way()) {
     co_return true;
   }

@@ -105,6 +105,7 @@ class HallwayWalk {
   HallwayPilot pilot_;
   HallwayLog log_;
   bool started_{false};
+  double waited_m_{0.0};          ///< way at which it last waited for something to go away
   std::optional<TagNumber> tag_;  ///< read, and not yet thought about
 };
 

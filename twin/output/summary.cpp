@@ -39,7 +39,7 @@ constexpr std::array<Figure<MapResult>, 16> kMapFigures{{
     {"moves_recovered", &MapResult::moves_recovered},
 }};
 
-constexpr std::array<Figure<HallwayResult>, 14> kHallwayFigures{{
+constexpr std::array<Figure<HallwayResult>, 16> kHallwayFigures{{
     {"arrived", &HallwayResult::arrived},
     {"length_m", &HallwayResult::length_m},
     {"shortest_m", &HallwayResult::shortest_m},
@@ -52,6 +52,8 @@ constexpr std::array<Figure<HallwayResult>, 14> kHallwayFigures{{
     {"turned_wrong", &HallwayResult::turned_wrong},
     {"blocked", &HallwayResult::blocked},
     {"went_round", &HallwayResult::went_round},
+    {"shoved", &HallwayResult::shoved},
+    {"explored", &HallwayResult::explored},
     {"places", &HallwayResult::places},
     {"map_differences", &HallwayResult::map_differences},
 }};

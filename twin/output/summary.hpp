@@ -79,6 +79,8 @@ struct HallwayResult {
   int turned_wrong{0};     ///< times that a tag told it that it faced another way
   int blocked{0};          ///< hallways given up
   int went_round{0};       ///< things passed
+  int shoved{0};           ///< times that somebody turned it
+  int explored{0};         ///< hallways of its map whose end it found
   int places{0};           ///< of its map at the end
   int map_differences{0};  ///< of a survey: sides of places that are not as drawn
 };

@@ -102,6 +102,7 @@ void HallwayRecorder::count(const robot::HallwayEvent& event) {
   result_.tags_missed += event.kind == Kind::kTagMissed ? 1 : 0;
   result_.turned_wrong += event.kind == Kind::kTurnedWrong ? 1 : 0;
   result_.blocked += event.kind == Kind::kBlocked ? 1 : 0;
+  result_.explored += event.kind == Kind::kExplored ? 1 : 0;
   result_.went_round += event.kind == Kind::kWentRound ? 1 : 0;
 }
 
@@ -118,6 +119,7 @@ HallwayResult HallwayRecorder::result(const HallwayTwin& twin) const {
   HallwayResult result = result_;
   const robot::HallwayMap& map = scene_.hallways.map;
   result.minutes = robot::to_s(twin.now()) / 60.0;
+  result.shoved = static_cast<int>(twin.world().contacts().shoves);
   result.wall_contacts = static_cast<int>(twin.world().contacts().wall);
   result.places = static_cast<int>(twin.program().map().nodes().size());
   result.detour = result.shortest_m > 0.0 ? result.length_m / result.shortest_m : 0.0;

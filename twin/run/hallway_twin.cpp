@@ -14,7 +14,7 @@ robot::HallwayLinks rewired(const robot::HallwayLinks& links, const HallwayTwin:
 
 robot::RobotSettings hallway_settings_of(const Scene& scene) {
   robot::RobotSettings settings = robot_settings_of(scene);
-  settings.hallways = scene.hallways;
+  settings.hallways = scene.known.value_or(scene.hallways);
   // In a scene, +y is the plan's north.
   settings.hallways.north_rad = robot::wrap_angle(0.5 * robot::kPi - scene.world.north_yaw_rad);
   return settings;

@@ -157,6 +157,24 @@ void hazard_fields(FieldVisitor& v, world::WorldDescription& world) {
       });
 }
 
+void people_fields(FieldVisitor& v, world::WorldDescription& world) {
+  v.list({"people", "who walk about, and stop before the robot"}, world.people, [&](world::Person& person) {
+    v.points({"path_m", "where somebody walks, or one point to stand at, m", true}, person.path_m, kWhere,
+             {1, 1000});
+    v.number({"start_s", "when somebody comes, s"}, person.start_s, {0.0, 1.0e7});
+    const Field leaves{"leaves_s", "when somebody is gone; else at the end of the path, s"};
+    v.maybe(leaves, person.leaves_s, [&](double& s) { v.number(leaves, s, {0.0, 1.0e7}); });
+    v.number({"speed_mps", "walking, m/s"}, person.speed_mps, {0.01, 3.0});
+    v.number({"radius_m", "of the disc that the robot meets, m"}, person.radius_m, {0.05, 1.0});
+    v.flag({"to_and_fro", "turns at the ends of the path"}, person.to_and_fro);
+  });
+  v.section({"shoves", "somebody turns the robot where it stands at a place of the hallway map"}, [&] {
+    v.number({"share", "of its stops"}, world.shoves.share, kFraction);
+    v.angle({"turn_deg", "to the left or to the right, degrees"}, world.shoves.turn_rad, {0.0, 180.0});
+    v.number({"within_m", "of the place, m"}, world.shoves.within_m, {0.1, 10.0});
+  });
+}
+
 void world_fields(FieldVisitor& v, Scene& scene) {
   Layout& layout = scene.layout;
   const std::array<FieldVisitor::Alternative, 3> places{{
@@ -178,6 +196,11 @@ void world_fields(FieldVisitor& v, Scene& scene) {
        [&] {
          v.section({"hallways", "a building drawn from its hallway map"}, [&] {
            v.text({"file", "the hallway map, relative to the scene file", true}, layout.hallways->file);
+           v.list({"rooms", "floor beside the hallways: doorways and rooms"}, layout.hallways->rooms,
+                  [&](FloorPiece& piece) {
+                    v.point({"low_m", "its corner of least x and y, m", true}, piece.low_m, kWhere);
+                    v.point({"high_m", "the corner across, m", true}, piece.high_m, kWhere);
+                  });
          });
        }},
   }};
@@ -193,6 +216,7 @@ void world_fields(FieldVisitor& v, Scene& scene) {
   v.list({"furniture", "fixed and pushable pieces"}, scene.world.furniture,
          [&](world::Furniture& piece) { furniture_fields(v, piece); });
   marker_fields(v, scene.world);
+  people_fields(v, scene.world);
   v.section({"floor", "what is under the wheels"}, [&] { floor_fields(v, scene.world.floor); });
   hazard_fields(v, scene.world);
   radio_world_fields(v, scene.world);
@@ -260,6 +284,9 @@ void robot_fields(FieldVisitor& v, Scene& scene) {
   v.section({"forward_reader", "reads the tags ahead"}, [&] { reader_fields(v, robot.forward_reader); });
   uhf_reader_fields(v, scene.world);
   sonar_fields(v, robot.sonar);
+  const Field known{"hallways", "the hallway map that it is given, where that is not the building's own"};
+  v.maybe(
+      known, !scene.known_file.empty(), [] {}, [&] { v.text(known, scene.known_file); });
   v.section({"compass", "heading from the earth's field"}, [&] {
     v.number({"rate_hz", "sentences a second, Hz"}, robot.compass.rate_hz, {0.1, 66.0});
     v.angle({"noise_sigma_deg", "1 sigma, degrees"}, robot.compass.noise_sigma_rad, {0.0, 180.0});

@@ -16,14 +16,9 @@ constexpr double kCell_m = 0.05;
 /// Around the building, so that its border is closed.
 constexpr double kMargin_m = 0.5;
 
-struct Strip {
-  Vec2 low_m;
-  Vec2 high_m;
-};
-
-std::vector<Strip> strips_of(const robot::HallwayFile& hallways) {
+std::vector<FloorPiece> strips_of(const robot::HallwayFile& hallways) {
   const Vec2 half_m = 0.5 * hallways.width_m * Vec2{1.0, 1.0};
-  std::vector<Strip> strips;
+  std::vector<FloorPiece> strips;
   for (const robot::HallwayNode& node : hallways.map.nodes()) {
     for (const robot::Side& side : node.sides) {
       if (side.hallway == robot::Hallway::kLeadsTo) {
@@ -38,11 +33,12 @@ std::vector<Strip> strips_of(const robot::HallwayFile& hallways) {
 
 }  // namespace
 
-OccupancyMap floor_of(const robot::HallwayFile& hallways) {
-  const std::vector<Strip> strips = strips_of(hallways);
+OccupancyMap floor_of(const robot::HallwayFile& hallways, const std::vector<FloorPiece>& rooms) {
+  std::vector<FloorPiece> strips = strips_of(hallways);
+  strips.insert(strips.end(), rooms.begin(), rooms.end());
   Vec2 low_m{std::numeric_limits<double>::max(), std::numeric_limits<double>::max()};
   Vec2 high_m = -low_m;
-  for (const Strip& strip : strips) {
+  for (const FloorPiece& strip : strips) {
     low_m = low_m.cwiseMin(strip.low_m);
     high_m = high_m.cwiseMax(strip.high_m);
   }
@@ -54,7 +50,7 @@ OccupancyMap floor_of(const robot::HallwayFile& hallways) {
   map.rows = static_cast<int>(std::ceil(size_m.y() / kCell_m));
   map.cells.assign(static_cast<std::size_t>(map.columns) * static_cast<std::size_t>(map.rows),
                    Cell::kOccupied);
-  for (const Strip& strip : strips) {
+  for (const FloorPiece& strip : strips) {
     const Vec2 from = (strip.low_m - map.X_WO.p_m) / kCell_m;
     const Vec2 to = (strip.high_m - map.X_WO.p_m) / kCell_m;
     for (int row = static_cast<int>(std::lround(from.y())); row < static_cast<int>(std::lround(to.y()));

@@ -38,9 +38,16 @@ struct MapPlan {
   std::string hallways{};  ///< hallway map of the building, relative to the scene file; empty: none
 };
 
+/// Floor beside the hallways: a doorway, a room. Its walls are where it ends.
+struct FloorPiece {
+  Vec2 low_m{0.0, 0.0};
+  Vec2 high_m{0.0, 0.0};
+};
+
 /// A building of hallways, drawn from its hallway map: walls on both sides of every hallway.
 struct HallwaysPlan {
   std::string file;  ///< relative to the scene file
+  std::vector<FloorPiece> rooms;
 };
 
 /// Which tiles are laid. A tile exists where its middle, which is where its tag sits, lies on floor: slivers
@@ -127,6 +134,8 @@ struct Scene {
   world::PhysicsDescription physics;
   Mission mission;
   robot::HallwayFile hallways;  ///< that `layout` names; empty where there is none
+  std::string known_file;       ///< hallway map that the robot is given instead, relative; empty: the same
+  std::optional<robot::HallwayFile> known;  ///< what stands in it
   std::vector<Expectation> expect;
   RunLimits limits;
 };

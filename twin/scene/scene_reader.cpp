@@ -64,6 +64,9 @@ void take_hallways(Scene& scene, const std::filesystem::path& folder, const Fiel
   }
   try {
     scene.hallways = robot::read_hallway_file(folder / name);
+    if (!scene.known_file.empty()) {
+      scene.known = robot::read_hallway_file(folder / scene.known_file);
+    }
   } catch (const SceneError& error) {
     exit_code = error.exit_code() == kExitMissing ? kExitMissing : exit_code;
     problems.insert(problems.end(), error.problems().begin(), error.problems().end());
@@ -78,6 +81,9 @@ void take_hallways(Scene& scene, const std::filesystem::path& folder, const Fiel
   }
   scene.world.hallway_tags = tags_of(scene.hallways);
   scene.world.hallway_tag_reach_m = scene.hallways.tag_reach_m;
+  for (const robot::HallwayNode& node : scene.hallways.map.nodes()) {
+    scene.world.shoves.places_m.push_back(*node.at_m);
+  }
   if (!scene.mission.hallway) {
     return;
   }
@@ -85,7 +91,7 @@ void take_hallways(Scene& scene, const std::filesystem::path& folder, const Fiel
     scene.robot.sonar.emplace();
   }
   for (const robot::MissionProblem& problem :
-       robot::problems_of(*scene.mission.hallway, scene.hallways.map)) {
+       robot::problems_of(*scene.mission.hallway, (scene.known ? *scene.known : scene.hallways).map)) {
     problems.push_back({reader.place(problem.path), problem.path, problem.what, problem.hint});
   }
   const auto from = scene.hallways.map.find(scene.mission.hallway->from);
@@ -110,7 +116,7 @@ std::optional<FloorPlan> build_walls(Scene& scene, const std::filesystem::path& 
     return FloorPlan(scene.layout.room->walls_m);
   }
   if (scene.layout.hallways && !scene.hallways.map.nodes().empty()) {
-    OccupancyMap building = floor_of(scene.hallways);
+    OccupancyMap building = floor_of(scene.hallways, scene.layout.hallways->rooms);
     scene.world.walls = outline(building);
     return FloorPlan(std::move(building));
   }

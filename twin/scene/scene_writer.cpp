@@ -21,6 +21,7 @@ std::string scene_yaml(const Scene& scene, const std::filesystem::path& folder) 
   if (shown.layout.hallways) {
     spell(shown.layout.hallways->file);
   }
+  spell(shown.known_file);
   robot::FieldWriter writer;
   visit_fields(writer, shown);
   return writer.text();

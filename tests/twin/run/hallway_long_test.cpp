@@ -1,69 +1,63 @@
 // SPDX-License-Identifier: MIT
 #include <gtest/gtest.h>
 
-#include <cstdio>
-#include <filesystem>
+#include <string>
+#include <vector>
 
-#include "mapping_case.hpp"
-#include "twin/run/hallway_run.hpp"
-#include "twin/scene/scene_reader.hpp"
+#include "hallway_case.hpp"
 
 namespace sensotwin::twin {
 namespace {
 
 constexpr std::uint64_t kSeeds = 20;
 
-struct Tally {
-  int runs{0};
-  int arrived{0};
-  int contacts{0};
-  double length_m{0.0};
-  double shortest_m{0.0};
-};
-
-/// From every place to every other, each with its own seeds.
-Tally every_pair(const char* file, const std::vector<std::string>& set) {
-  const auto scene_file = std::filesystem::path(SENSOTWIN_SOURCE_DIR) / "scenes" / file;
-  const Scene base = read_scene(scene_file);
-  const TemporaryFolder folder;
-  Tally tally;
-  for (const robot::HallwayNode& from : base.hallways.map.nodes()) {
-    for (const robot::HallwayNode& to : base.hallways.map.nodes()) {
-      for (std::uint64_t seed = 1; from.name != to.name && seed <= kSeeds; ++seed) {
-        std::vector<std::string> changes = set;
-        changes.push_back("mission.hallway={ from: " + from.name + ", to: " + to.name + " }");
-        changes.push_back("robot.start=auto");
-        const Scene scene = read_scene(scene_file, {.set = changes, .seed = seed});
-        RunFolder results(folder / "run", Existing::kReplace);
-        SceneRunOptions options;
-        options.scene_as_given = file;
-        options.pictures = false;
-        const HallwayResult result = *run_hallway(scene, results, options).hallway;
-        ++tally.runs;
-        tally.arrived += result.arrived;
-        tally.contacts += result.wall_contacts;
-        tally.length_m += result.length_m;
-        tally.shortest_m += result.shortest_m;
-        EXPECT_EQ(result.arrived, 1) << from.name << " to " << to.name << ", seed " << seed;
-      }
+/// From every place to every other of a building, each with its own seeds.
+class HallwaysOf : public ::testing::TestWithParam<const char*> {
+ protected:
+  void SetUp() override {
+    if (std::string(GetParam()) != "office" && !std::filesystem::exists(kMaps)) {
+      GTEST_SKIP() << "the maps of ../shared/data/maps are not here";
     }
   }
-  std::printf("%s: %d of %d arrived, %d contacts, way %.4f of the shortest\n", file, tally.arrived,
-              tally.runs, tally.contacts, tally.length_m / tally.shortest_m);
-  return tally;
-}
+  [[nodiscard]] static HallwayTally all(const std::vector<std::string>& set) {
+    return every_pair(GetParam(), "", set, kSeeds);
+  }
+};
 
-TEST(HallwaysOfTheOffice, AreGoneFromEveryPlaceToEveryOther) {
-  const Tally tally = every_pair("office.yaml", {});
+TEST_P(HallwaysOf, AreGoneFromEveryPlaceToEveryOther) {
+  const HallwayTally tally = all({});
+  EXPECT_EQ(tally.arrived, tally.runs);
   EXPECT_EQ(tally.contacts, 0);
   EXPECT_LT(tally.length_m / tally.shortest_m, 1.05);
 }
 
-TEST(HallwaysOfTheOffice, AreGoneThoughATagInTenIsMissed) {
-  const Tally tally = every_pair("office.yaml", {"robot.floor_reader.missed_share=0.1"});
+TEST_P(HallwaysOf, AreGoneThoughATagInTenIsMissed) {
+  const HallwayTally tally = all({"robot.floor_reader.missed_share=0.1"});
+  EXPECT_EQ(tally.arrived, tally.runs);
   EXPECT_EQ(tally.contacts, 0);
+  EXPECT_GT(tally.missed, 0);
   EXPECT_LT(tally.length_m / tally.shortest_m, 1.05);
 }
+
+TEST_P(HallwaysOf, AreGoneThoughOneIsBlocked) {
+  const HallwayTally tally = every_pair(GetParam(), "blocked", {}, kSeeds);
+  EXPECT_GE(tally.arrived, 0.95 * tally.runs);
+  EXPECT_EQ(tally.silent, 0);
+}
+
+TEST_P(HallwaysOf, AreGoneThoughOneExitInTwentyIsWrong) {
+  const HallwayTally tally = all({"world.shoves.share=0.05"});
+  EXPECT_GE(tally.arrived, 0.95 * tally.runs);
+  EXPECT_EQ(tally.silent, 0);
+  EXPECT_GT(tally.shoved, 0);
+}
+
+INSTANTIATE_TEST_SUITE_P(Each, HallwaysOf,
+                         ::testing::Values("office", "buildings/stata", "buildings/hospital"),
+                         [](const ::testing::TestParamInfo<const char*>& each) {
+                           const std::string file = each.param;
+                           return file.substr(file.rfind('/') + 1);
+                         });
 
 }  // namespace
 }  // namespace sensotwin::twin

@@ -3,9 +3,11 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
 #include <filesystem>
+#include <string>
 
-#include "mapping_case.hpp"
+#include "hallway_case.hpp"
 #include "twin/run/hallway_recorder.hpp"
 #include "twin/scene/scene_reader.hpp"
 
@@ -91,6 +93,71 @@ TEST(HallwayRun, WithoutACompassStandsStillAndSaysSo) {
   const HallwayResult result = *run(office("", {"robot.compass.rate_hz=0.1", "time_limit_s=5"})).hallway;
   EXPECT_EQ(result.arrived, 0);
   EXPECT_LT(result.length_m, 0.01);
+}
+
+TEST(HallwayRun, WaitsForPeopleAndGoesRoundThem) {
+  const HallwayResult result = *run(office("people")).hallway;
+  EXPECT_EQ(result.arrived, 1);
+  EXPECT_EQ(result.wall_contacts, 0);
+}
+
+TEST(HallwayRun, GoesAnotherWayRoundACrowd) {
+  const HallwayResult result = *run(office("crowd")).hallway;
+  EXPECT_EQ(result.arrived, 1);
+  EXPECT_EQ(result.wall_contacts, 0);
+  EXPECT_EQ(result.blocked, 1);
+}
+
+TEST(HallwayRun, FindsItsWayAgainWhenSomebodyTurnsIt) {
+  int shoved = 0;
+  for (std::uint64_t seed = 1; seed <= 4; ++seed) {
+    const HallwayResult result = *run(office("wrong_exits", {"world.shoves.share=0.2"}, seed)).hallway;
+    EXPECT_EQ(result.arrived, 1) << seed;
+    shoved += result.shoved;
+  }
+  EXPECT_GT(shoved, 2);
+}
+
+TEST(HallwayRun, KeepsToAWallWhenAsked) {
+  for (const char* side : {"left", "right"}) {
+    const HallwayResult result =
+        *run(office("left_wall", {std::string("mission.hallway.follow=") + side})).hallway;
+    EXPECT_EQ(result.arrived, 1) << side;
+    EXPECT_EQ(result.wall_contacts, 0) << side;
+  }
+}
+
+TEST(HallwayRun, TriesHallwaysWhoseEndsItsMapDoesNotKnow) {
+  const HallwayResult result = *run(office("partial")).hallway;
+  EXPECT_EQ(result.arrived, 1);
+  EXPECT_EQ(result.explored, 1);
+}
+
+TEST(HallwayRun, NeedsNoWidthToldRight) {
+  for (const double width_m : {1.2, 3.0}) {
+    Scene scene = office("tags_missed", {"robot.floor_reader.missed_share=0.3"}, 3);
+    scene.known = scene.hallways;
+    scene.known->width_m = width_m;
+    const HallwayResult result = *run(scene).hallway;
+    EXPECT_EQ(result.arrived, 1) << width_m;
+    EXPECT_EQ(result.wall_contacts, 0) << width_m;
+    EXPECT_GT(result.tags_missed, 0) << width_m;
+  }
+}
+
+// From every place to every other, 20 seeds each: hallway_long_test.cpp.
+TEST(BuildingThatNobodyHereDrew, IsGoneThroughByPlacesAndTags) {
+  if (!std::filesystem::exists(kMaps)) {
+    GTEST_SKIP() << "the maps of ../shared/data/maps are not here";
+  }
+  for (const auto& [file, from, to] :
+       {std::array{"buildings/hospital", "ward", "east"}, std::array{"buildings/hospital", "lobby", "sw"},
+        std::array{"buildings/stata", "e", "g"}}) {
+    const HallwayResult result = hallway_run(hallway_scene(file, "", from_to({}, from, to), 1)).result;
+    EXPECT_EQ(result.arrived, 1) << file << " " << from << " " << to;
+    EXPECT_EQ(result.wall_contacts, 0) << file << " " << from << " " << to;
+    EXPECT_LT(result.detour, 1.05) << file << " " << from << " " << to;
+  }
 }
 
 TEST(HallwayDifferences, AreCountedSideBySide) {

@@ -43,7 +43,7 @@ try {
     await page.waitForFunction(() => document.querySelector(".tag-title").textContent.startsWith("Place "));
   });
 
-  await shown("ceiling", ["run", "--no-pictures"], "hallway.yaml", "127.0.0.1:0", async (page, url) => {
+  await shown("ceiling", ["run", "--variant", "own", "--no-pictures"], "hallway.yaml", "127.0.0.1:0", async (page, url) => {
     await page.goto(url);
     await untilEnded(page);
     const label = await page.locator("#plan").getAttribute("aria-label");

@@ -22,6 +22,11 @@ unsigned blocked_sides(const TileMap& map, Tile tile) {
   return sides;
 }
 
+/// A number on a plan, or the unique number of an ISO 15693 tag, which begins with E0.
+std::string number_text(TagNumber tag) {
+  return tag >> 56U == 0xE0 ? uid_text(tag) : std::to_string(tag);
+}
+
 /// `,"base_frames":...`: what went wrong on the wires so far.
 template <class Program>
 void append_links(std::string& to, const Program& program) {
@@ -139,7 +144,7 @@ void ProgramTap::show_places(const HallwayProgram& program) {
       }
       body += ",\"tags\":[";
       for (const TagNumber tag : side.tags) {
-        body += (body.back() == '[' ? "\"" : ",\"") + std::to_string(tag) + "\"";
+        body += (body.back() == '[' ? "\"" : ",\"") + number_text(tag) + "\"";
       }
       body += "]}";
     }

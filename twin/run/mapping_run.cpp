@@ -23,6 +23,17 @@ const std::set<std::pair<int, int>>& promised_by(const Scene& scene, const world
   return scene.mission.map->explorer == robot::ExplorerKind::kSweep ? truth.reachable : truth.grid_reachable;
 }
 
+/// Tiles of the scene by how they can be reached.
+world::ReachableTiles reachable_in(const Scene& scene, const MappingTwin& twin) {
+  std::vector<world::Vec2> carpet_tags;
+  for (const world::Tag& tag : twin.world().tags()) {
+    if (tag.place == world::TagPlace::kCarpet) {
+      carpet_tags.push_back(tag.at_m);
+    }
+  }
+  return world::reachable_tiles(scene.world, scene.robot, {}, carpet_tags);
+}
+
 MapResult map_result(const Scene& scene, const MappingTwin& twin, const MapVerdict& verdict,
                      const world::ReachableTiles& truth, double energy_wh) {
   const robot::MappingMission& mission = twin.program().mission();
@@ -60,6 +71,9 @@ Summary run_mapping(const Scene& scene, RunFolder& folder, const SceneRunOptions
   TwinTap tap(options.telemetry, scene, robot_settings_of(scene));
   TappingRecorder tapping(journalling, tap);
   recorder.listen(tap.listener());
+  if (options.telemetry != nullptr) {
+    tap.show_total(promised_by(scene, reachable_in(scene, twin)).size());
+  }
   TickLoop loop(options.wall_s, options.pace);
   const auto may_go_on = [&] {
     return !options.keep_going || options.keep_going({.sim_s = robot::to_s(twin.now()),
@@ -73,13 +87,7 @@ Summary run_mapping(const Scene& scene, RunFolder& folder, const SceneRunOptions
   recorder.finish();
   const double looped_s = wall_s(options);
 
-  std::vector<world::Vec2> carpet_tags;
-  for (const world::Tag& tag : twin.world().tags()) {
-    if (tag.place == world::TagPlace::kCarpet) {
-      carpet_tags.push_back(tag.at_m);
-    }
-  }
-  const world::ReachableTiles truth = world::reachable_tiles(scene.world, scene.robot, {}, carpet_tags);
+  const world::ReachableTiles truth = reachable_in(scene, twin);
   const auto placement = placement_of(scene, twin);
   const MapVerdict verdict =
       judge_map(twin.world().tags(), twin.map_id(), placement, promised_by(scene, truth));

@@ -8,7 +8,6 @@
 
 #include "robot/output/text_format.hpp"
 #include "twin/run/recovered_map.hpp"
-#include "twin/run/run_options.hpp"
 #include "twin/run/scene_views.hpp"
 
 namespace sensotwin::twin {
@@ -97,7 +96,6 @@ void show_scene(robot::ProgramTap& tap, const Scene& scene) {
   robot::append_json_fields(body, {{"scene", scene.name},
                                    {"title", scene.title},
                                    {"seed", std::to_string(scene.seed)},
-                                   {"total", progress_total_of(scene)},
                                    {"north", scene.world.north_yaw_rad}});
   body += walls_of(scene) + furniture_of(view) + marks_of(scene, view);
   if (scene.mission.phase) {
@@ -137,6 +135,14 @@ robot::EventLog::Listener TwinTap::listener() {
   return [this](robot::Instant now, std::string_view event, std::initializer_list<robot::EventField> fields) {
     tap_->heard(now, event, fields);
   };
+}
+
+void TwinTap::show_total(std::size_t tiles) {
+  if (tap_) {
+    std::string body;
+    robot::append_json_fields(body, {{"tiles", tiles}});
+    tap_->publish("total", "total", std::move(body));
+  }
 }
 
 void TwinTap::after_tick(const MappingTwin& twin) {

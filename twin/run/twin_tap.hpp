@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <cstddef>
 #include <optional>
 
 #include "robot/output/event_log.hpp"
@@ -28,6 +29,8 @@ class TwinTap {
 
   /// For the recorder's events; empty without a hub. Holds a reference to this tap.
   [[nodiscard]] robot::EventLog::Listener listener();
+  /// Tiles that the mission is to map, as only a twin can know.
+  void show_total(std::size_t tiles);
   void after_tick(const MappingTwin& twin);
   void after_tick(const HallwayTwin& twin);
   void after_tick(const PhaseTwin& twin);

@@ -46,7 +46,7 @@ TEST(Relay, ShowsTheRobotsOfOtherMonitorsSideBySide) {
   EXPECT_THAT(told(page, "kitchen"), HasSubstr(R"({"r":0,"key":"robot","k":"robot","name":"kitchen")"));
   EXPECT_THAT(told(page, "hall"), HasSubstr(R"({"r":1,"key":"robot","k":"robot","name":"hall")"));
   in_hall.publish("tile/3,4", "tile", R"(,"c":3,"w":4)");
-  EXPECT_THAT(told(page, "tile"), HasSubstr(R"({"r":1,"key":"tile/3,4","k":"tile","c":3,"w":4})"));
+  EXPECT_THAT(told(page, "tile/3,4"), HasSubstr(R"({"r":1,"key":"tile/3,4","k":"tile","c":3,"w":4})"));
 }
 
 TEST(Relay, ComesBackToAMonitorThatWasStartedAgainAndForgetsTheOldRun) {

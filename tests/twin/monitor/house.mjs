@@ -146,6 +146,17 @@ try {
   await page.waitForFunction(() => document.querySelector("#plan").dataset.tiles === "16", null, { timeout: 30_000 });
   next.child.kill("SIGINT");
   await next.ended;
+
+  // Slowed down it is watched while it works.
+  const live = await start(twin, ["run", join(root, "scenes/house.yaml"), "--no-pictures", "--rtf", "100", "--monitor=127.0.0.1:0", "--out", join(out, "live")], /monitor at (http\S+)/);
+  const watching = await browser.page();
+  await watching.goto(live.match[1]);
+  await untilTiles(watching, 120);
+  check((await plan(watching).getAttribute("data-state")) === "Live", "a run that goes on is not called live");
+  check((await tilesShown(watching)) < 207, "at a hundred times real time the house is mapped at once");
+  await watching.screenshot({ path: join(out, "live.png") });
+  live.child.kill("SIGINT");
+  check((await live.ended) === 130, `interrupted, twin ended with ${await live.ended}`);
   console.log("207 tiles, every event, no violation, and the next run");
 } finally {
   await browser.close();

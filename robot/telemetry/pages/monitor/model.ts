@@ -64,7 +64,6 @@ export interface Scene {
   scene: string;
   title: string;
   seed: string;
-  total: number;
   north: number;
   walls: SceneWall[];
   furniture: SceneFurniture[];
@@ -86,6 +85,8 @@ type Figures = Record<string, unknown>;
 export class Robot {
   card: Card = { name: "robot", title: "", source: "", mission: "map", tile_m: 0.508, radius_m: 0.17, goal: "" };
   scene: Scene | null = null;
+  /** Tiles that can be reached, where a twin knows it. */
+  total: number | null = null;
   frame: Pose | null = null;
   pose: Pose | null = null;
   truth: Pose | null = null;
@@ -177,6 +178,9 @@ export class Model {
 }
 
 const takers: Record<string, (robot: Robot, of: Message) => void> = {
+  total: (robot, of) => {
+    robot.total = num(of, "tiles");
+  },
   link: (robot, of) => {
     robot.linked = of["up"] === true;
   },

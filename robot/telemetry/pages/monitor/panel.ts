@@ -95,7 +95,7 @@ export class Panel {
   }
 
   private showProgress(robot: Robot): void {
-    const { status, scene, card } = robot;
+    const { status, card } = robot;
     const facts: [string, string][] = [];
     const add = (name: string, value: string | null) => {
       if (value !== null) {
@@ -105,7 +105,7 @@ export class Panel {
     const count = (name: string, key: string) => add(name, number(status, key)?.toString() ?? null);
     this.bar.hidden = true;
     if (card.mission === "map") {
-      const total = scene?.total ?? 0;
+      const total = robot.total ?? 0;
       setText(this.big, total > 0 ? `${robot.tilesFound} of ${total} tiles` : `${robot.tilesFound} tiles`);
       this.bar.hidden = total === 0;
       this.bar.value = total > 0 ? robot.tilesFound / total : 0;
@@ -117,7 +117,8 @@ export class Panel {
       add("Driven", metres === null ? null : `${metres.toFixed(1)} m`);
     } else if (card.mission === "hallway") {
       const way = robot.way;
-      setText(this.big, way && way.place !== "" ? `${way.to !== undefined ? "Left" : "At"} ${way.place}` : "Looking for the first place");
+      const arrived = status["arrived"] === true;
+      setText(this.big, arrived ? (card.goal !== "" ? `At the goal, ${card.goal}` : "The map is whole") : way && way.place !== "" ? `${way.to !== undefined ? "Left" : "At"} ${way.place}` : "Looking for the first place");
       add("Heading for", way?.to ?? null);
       add("Goal", card.goal !== "" ? card.goal : "the whole map");
       add("Places known", robot.places.size.toString());

@@ -231,7 +231,7 @@ function drawHallways(context: Context, view: PlanView, { robot, theme }: PlanPi
     dot(context, screen, 8, theme.plan);
     dot(context, screen, here ? 7 : 6, here ? theme.accent : theme["soft-ink"]);
     const label = name === robot.card.goal ? `${name} (goal)` : name;
-    haloText(context, label, { x: screen.x, y: screen.y - 17 }, { colour: theme.ink, halo: theme.plan, bold: true });
+    haloText(context, label, { x: screen.x + 11, y: screen.y - 14 }, { colour: theme.ink, halo: theme.plan, bold: true, align: "left" });
   }
 }
 

@@ -7,7 +7,7 @@ export type Severity = "news" | "warn" | "bad" | "good";
 /** Of events.jsonl's names; others are shown as they are spelt. */
 const known: Record<string, [Severity, string]> = {
   tile_found: ["news", "Tile found"],
-  tile_written: ["news", "Coordinates written into its tag"],
+  tile_written: ["news", "Tag written"],
   write_failed: ["bad", "Tag could not be written"],
   passage_blocked_by_light: ["news", "Something seen in the way"],
   passage_blocked_by_touch: ["news", "Something touched in the way"],

@@ -15,7 +15,7 @@ import { icon, type IconName } from "./icons";
 import { Cursor } from "./keyboard";
 import type { Tool } from "./stroke";
 import { roundButton, Toolbar } from "./toolbar";
-import { metric, scaleBy } from "./model";
+import { metric, scaleBy, type Plan } from "./model";
 import { planPanel, problemList, routePanel } from "./other_panels";
 import { scenePanel } from "./scene_panel";
 import { Picture } from "./picture";
@@ -274,14 +274,7 @@ class Page {
     }
     setText(this.state, editor.history.changed ? "not saved" : "");
     const plan = editor.doc.plan;
-    setText(
-      this.scaleText,
-      plan
-        ? plan.scaled
-          ? `1 px = ${Number((plan.resolution_m * 100).toPrecision(3))} cm`
-          : "no scale yet"
-        : "sheet in metres",
-    );
+    setText(this.scaleText, plan ? placement(plan) : "sheet in metres, north is up");
     document.title = `${editor.history.changed ? "• " : ""}${editor.naming.name} – map tracer`;
     this.view?.redraw();
   }
@@ -377,6 +370,13 @@ class Page {
     }
     this.canvas.focus();
   }
+}
+
+/** Scale and north of a plan, for the line at the bottom. */
+function placement(plan: Plan): string {
+  const scale = plan.scaled ? `1 px = ${Number((plan.resolution_m * 100).toPrecision(3))} cm` : "no scale yet";
+  const turned_deg = Number(((-plan.origin[2] * 180) / Math.PI).toFixed(1));
+  return `${scale}, north is up${turned_deg === 0 ? "" : `: plan turned by ${turned_deg}°`}`;
 }
 
 new Page().build(document.getElementById("app") as HTMLElement);

@@ -30,7 +30,7 @@ export class Bench {
     bench.ended = new Promise((gone) => bench.server.on("exit", (code) => gone(code)));
     const url = await new Promise((found) => bench.server.stdout.once("data", (data) => found(String(data).trim())));
     bench.page = await browser.page({ viewport: size, colorScheme: dark ? "dark" : "light" });
-    bench.page.setDefaultTimeout(20000);
+    bench.page.setDefaultTimeout(60000);
     try {
       await bench.page.goto(url);
       await bench.quiet();

@@ -160,6 +160,20 @@ TEST(FaultyWires, ThatLoseBytesBothWaysCostTimeAndNoTile) {
   EXPECT_EQ(lesson.verdict().wrong, 0);
 }
 
+TEST(FaultyWires, ThatLoseOneByteInAHundredBothWaysNeverMakeTheMapWrong) {
+  FaultyLesson lesson({.base = {.lose_in = 0.01, .lose_out = 0.01}, .compass = {.lose_in = 0.01}});
+  lesson.run_until(900.0);
+  std::fprintf(stderr, "loss mapped %d wrong %d good %lu corrupt %lu t %f\n", lesson.verdict().mapped, lesson.verdict().wrong, lesson.base_health().frames_good, lesson.base_health().frames_corrupt, robot::to_s(lesson.twin().now()));
+  EXPECT_EQ(lesson.verdict().wrong, 0);
+}
+
+TEST(FaultyWires, ThatBendOneByteInAHundredNeverMakeTheMapWrong) {
+  FaultyLesson lesson({.base = {.flip_in = 0.01}, .compass = {.flip_in = 0.01}});
+  lesson.run_until(900.0);
+  std::fprintf(stderr, "flip mapped %d wrong %d good %lu corrupt %lu t %f\n", lesson.verdict().mapped, lesson.verdict().wrong, lesson.base_health().frames_good, lesson.base_health().frames_corrupt, robot::to_s(lesson.twin().now()));
+  EXPECT_EQ(lesson.verdict().wrong, 0);
+}
+
 TEST(FaultyWires, ThatSpoilAFifthOfTheCardExchangesCostNoTile) {
   FaultyLesson lesson({.reader = 0.2});
   lesson.run_until(900.0);

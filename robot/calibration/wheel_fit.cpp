@@ -21,8 +21,11 @@ enum Whole : int { kScale, kRatio, kBase, kRadius, kDelay, kWhole };
 constexpr std::array<double, kWhole> kWholeSigma{0.05, 0.05, 0.10, 0.02, 0.2};
 /// For derivatives by differences. Chosen: far above rounding, far below what matters.
 constexpr double kNudge = 1e-5;
-constexpr int kRounds = 25;
-constexpr double kConverged = 1e-7;
+constexpr int kRounds = 60;
+constexpr int kWholeSteps = 10;
+/// Of each: a hundredth of a tenth of a percent, of a millimetre. Chosen: far below what a drive can tell,
+/// and what weights that change from round to round still reach.
+constexpr double kConverged = 1e-5;
 /// Crossings that say anything at all: three a whole unknown.
 constexpr std::size_t kFewest = 3 * kWhole;
 constexpr double kHuber = 3.0;
@@ -59,7 +62,8 @@ class Fit {
       if (!step.allFinite()) {
         return false;
       }
-      x_ -= step;
+      // Weights that change with the step can make it swing to and fro: half of it then comes to rest.
+      x_ -= round < kWholeSteps ? step : 0.5 * step;
       if (step.head<kWhole>().cwiseAbs().maxCoeff() < kConverged) {
         covariance_ = whole_covariance(H_);
         Eigen::MatrixXd exact = H_;

@@ -18,7 +18,7 @@ struct Measured {
 
 /// What is held true before the drive: where the fit begins, and how far from there it may go.
 struct WheelPrior {
-  OdometryModel wheels;  ///< as the robot file tells them; the scatter of what changes on the way
+  OdometryModel wheels{};  ///< as the robot file tells them; the scatter of what changes on the way
   double tile_m{0.508};
   double read_radius_m{0.08};
   double rim_sigma_m{0.003};     ///< a rim crossing's place: the step that it falls into

@@ -27,6 +27,11 @@ ExitCode run_command(const RunCommandOptions& options, const SensobotEnvironment
     robot.settings.map_id = fresh_map_id(utc);
     robot.map_id_given = true;  // so that the journal's copy of the file is the one that ran
   }
+  if (options.rate > 1.0) {
+    // The wire to a card keeps the machine's time, not that of a twin that is served faster.
+    robot.settings.floor_reader.exchange_limit_s *= options.rate;
+    robot.settings.forward_reader.exchange_limit_s *= options.rate;
+  }
   const std::filesystem::path path =
       options.out.value_or(std::filesystem::path{"runs"} / (options.robot.stem().string() + "-" + utc));
   RunFolder folder(path, options.force ? Existing::kReplace : Existing::kRefuse);

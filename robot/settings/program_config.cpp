@@ -77,6 +77,7 @@ RoombaConfig base_config_of(const BaseSettings& base) {
 TagReaderConfig card_config_of(const CardReaderSettings& reader) {
   TagReaderConfig config;
   config.uid_order = reader.uid_order;
+  config.exchange_limit = from_s(reader.exchange_limit_s);
   config.blocks_per_command = static_cast<std::uint8_t>(reader.blocks_per_command);
   return config;
 }

@@ -50,8 +50,10 @@ void card_reader_fields(FieldVisitor& v, CardReaderSettings& reader) {
   v.whole({"blocks_per_command", "blocks of 4 bytes in one command"}, reader.blocks_per_command, 1, 63);
   v.number({"notice_delay_s", "a tag's coming and going is noticed this much late, s"}, reader.notice_delay_s,
            {0.0, 5.0});
+  v.number({"exchange_limit_s", "an exchange without an answer is given up after this, s"},
+           reader.exchange_limit_s, {0.02, 60.0});
   v.number({"notice_sigma_s", "scatter of that, 1 sigma, s"}, reader.notice_sigma_s, {0.0, 5.0});
-  of_the_twin_alone(v, {"at_m", "exchange_s", "torn_write_probability"});
+  of_the_twin_alone(v, {"at_m", "exchange_s", "latency_s", "missed_share", "torn_write_probability"});
 }
 
 void uhf_reader_fields(FieldVisitor& v, UhfReaderSettings& reader) {

@@ -7,6 +7,8 @@
 
 #include "robot/base/epc.hpp"
 #include "robot/base/geometry.hpp"
+#include "robot/base/time.hpp"
+#include "robot/drivers/tag_reader.hpp"
 #include "robot/mapping/mapping_config.hpp"
 #include "robot/phase/estimation/phase_model.hpp"
 #include "robot/settings/hallway_file.hpp"
@@ -45,6 +47,7 @@ struct CardReaderSettings {
   /// wake it: 0.2 s and 0.115 s then.
   double notice_delay_s{MappingConfig{}.rim_delay_s};
   double notice_sigma_s{0.0};
+  double exchange_limit_s{to_s(TagReaderConfig{}.exchange_limit)};  ///< without an answer it is given up
 };
 
 /// Reader and antennas for the tags under the ceiling, as calibrated. Defaults: the paper's reader.

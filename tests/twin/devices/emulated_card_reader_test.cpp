@@ -46,6 +46,28 @@ TEST_F(CardReaderInVirtualTime, GivesTheAnswersThatTheDriverIsTestedWith) {
   }
 }
 
+TEST(CardReaderWithLatency, ReportsATagAWhileAfterItCameAndForgetsItAtOnce) {
+  EmulatedCardReader reader({.exchange = robot::from_s(0.012), .latency = robot::from_s(0.1)},
+                            RandomStream{1});
+  TagMemory tag = transcript_tag();
+  const auto at = [&](double t_s, TagMemory* in_field) {
+    reader.step(Instant{robot::from_s(t_s)}, in_field);
+    return static_cast<robot::CardLink&>(reader).presence();
+  };
+  EXPECT_EQ(at(1.0, nullptr), CardPresence::kEmpty);
+  EXPECT_EQ(at(1.015, &tag), CardPresence::kEmpty);
+  EXPECT_EQ(at(1.105, &tag), CardPresence::kEmpty);
+  EXPECT_FALSE(static_cast<robot::CardLink&>(reader).begin(kSaysItsUid.command));
+  EXPECT_EQ(at(1.12, &tag), CardPresence::kPresent);
+  EXPECT_TRUE(static_cast<robot::CardLink&>(reader).begin(kSaysItsUid.command));
+  EXPECT_EQ(at(1.135, &tag), CardPresence::kPresent);
+  EXPECT_EQ(at(1.15, nullptr), CardPresence::kEmpty);
+  // One that is gone before it has answered was never there.
+  EXPECT_EQ(at(2.0, &tag), CardPresence::kEmpty);
+  EXPECT_EQ(at(2.09, nullptr), CardPresence::kEmpty);
+  EXPECT_EQ(at(2.12, nullptr), CardPresence::kEmpty);
+}
+
 TEST_F(CardReaderInVirtualTime, AnswersOneExchangeLaterAndNotBefore) {
   TagMemory tag = transcript_tag();
   step(&tag);

@@ -157,13 +157,18 @@ Task<bool> HallwayPilot::pass_on(bool left) {
     if (bumped()) {
       break;
     }
+    // What comes into the way after all asks for another step aside.
     passed = tracker_.ahead_m().value_or(config_.sonar_range_m) > kPassClear_m;
-  }
-  const double end_m = tracker_.way_m() + kPassBeside_m;
-  while (passed && tracker_.way_m() < end_m) {
-    follow(kPass_mps);
-    co_await step_.next;
-    passed = !bumped() && tracker_.ahead_m().value_or(config_.sonar_range_m) > kPassStop_m;
+    const double beside_m = tracker_.way_m() + kPassBeside_m;
+    while (passed && tracker_.way_m() < beside_m) {
+      follow(kPass_mps);
+      co_await step_.next;
+      passed = tracker_.ahead_m().value_or(config_.sonar_range_m) > kPassStop_m && !bumped();
+    }
+    co_await brake();
+    if (bumped()) {
+      break;
+    }
   }
   co_await brake();
   straight_on_ = false;

@@ -30,7 +30,7 @@ class HallwayPilot {
   /// Straight back, blind.
   Task<> back(double way_m);
   Task<> wait(Duration time);
-  /// Swings out to the side of what stands ahead, past it and back to the middle, when there is room.
+  /// Swings out to the side of what stands ahead and past it, when there is room; else back to where it was.
   /// \param left  which side to try
   /// \returns whether it got past
   Task<bool> pass_on(bool left);

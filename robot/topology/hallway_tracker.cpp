@@ -52,6 +52,9 @@ constexpr double kFlat_m = 0.15;
 /// 0.25 m of way.
 constexpr std::size_t kWall = 3;
 constexpr std::size_t kFirm = 8;
+/// Over so much way a wall is seen before anything is concluded from it: corners of a junction stand still
+/// only while the robot does. Chosen.
+constexpr double kFirmWay_m = 0.15;
 /// Of the measured width. Chosen: a second's readings.
 constexpr double kWidthGain = 0.1;
 
@@ -150,13 +153,17 @@ void HallwayTracker::take_ranges(const SonarRanges& ranges_m) {
   }
 }
 
+bool HallwayTracker::firm(const Flank& flank) {
+  return flank.sights > kFirm && flank.trail[flank.sights - 1].way_m - flank.trail[0].way_m > kFirmWay_m;
+}
+
 void HallwayTracker::measure_width() {
   for (Flank& flank : flanks_) {
-    if (!flank.first_m && flank.sights > kFirm) {
+    if (!flank.first_m && firm(flank)) {
       flank.first_m = flank.wall.distance_m;
     }
   }
-  if (flanks_[0].sights > kFirm && flanks_[1].sights > kFirm) {
+  if (firm(flanks_[0]) && firm(flanks_[1])) {
     const double seen_m = *left().distance_m + *right().distance_m;
     width_m_ += (measured_ ? kWidthGain : 1.0) * (seen_m - width_m_);
     measured_ = true;
@@ -197,13 +204,15 @@ void HallwayTracker::see_wall(Flank& flank, double distance_m) {
   WallSide& wall = flank.wall;
   wall.distance_m = *wall.distance_m + kSightGain * (distance_m - *wall.distance_m);
   wall.open_for_m = 0.0;
-  wall.last_m = wall.distance_m;
   flank.seen_at_m = way_m_;
   if (flank.sights == flank.trail.size()) {
     std::copy(flank.trail.begin() + 1, flank.trail.end(), flank.trail.begin());
     --flank.sights;
   }
   flank.trail[flank.sights++] = {way_m_, distance_m, off_axis_rad()};
+  if (wall.last_m || firm(flank)) {
+    wall.last_m = wall.distance_m;
+  }
 }
 
 void HallwayTracker::look_for_wall(Flank& flank, const std::optional<double>& nearest_m) {

@@ -86,6 +86,8 @@ class HallwayTracker {
   void take_ranges(const SonarRanges& ranges_m);
   void take_ahead(const SonarRanges& ranges_m);
   void measure_width();
+  /// Whether a flank's wall has been gone along.
+  [[nodiscard]] static bool firm(const Flank& flank);
   void take_side(Flank& flank, const std::optional<double>& range_m);
   void see_wall(Flank& flank, double distance_m);
   void look_for_wall(Flank& flank, const std::optional<double>& nearest_m);

@@ -11,6 +11,8 @@ namespace {
 constexpr double kConeTangent = 0.268;
 /// Back from what was touched. Chosen: the forward sonars see it from there.
 constexpr double kBackOff_m = 0.10;
+/// So long it looks again whether what is ahead is the end of the hallway. Chosen: five rounds.
+constexpr Duration kSecondLook{std::chrono::milliseconds{500}};
 /// Within so much way it is the same thing that stands there. Chosen: a piece of furniture.
 constexpr double kSameThing_m = 1.0;
 
@@ -45,6 +47,19 @@ Task<HallwayPassage> HallwayWalk::along(HallwayLeg leg, PlaceWatcher& watcher) {
     if (found) {
       found->way_m = tracker_.way_m();
       co_return *found;
+    }
+    if (pilot_.in_the_way() && !pilot_.bumped()) {
+      // The end of a hallway may not have answered in one round.
+      co_await pilot_.brake();
+      const Instant until = step_.sensed.stamp + kSecondLook;
+      while (!found && step_.sensed.stamp < until) {
+        co_await step_.next;
+        found = watcher.by_sonar(leg);
+      }
+      if (found) {
+        found->way_m = tracker_.way_m();
+        co_return *found;
+      }
     }
     if (pilot_.in_the_way()) {
       const bool gone = co_await past_obstacle();

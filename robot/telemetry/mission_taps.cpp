@@ -53,7 +53,7 @@ void ProgramTap::after_step(Instant now, const MappingProgram& program) {
   if (map.visited_count() > 0) {
     pose(now, program.mission().navigator().pose());
   }
-  if (status_is_due(now)) {
+  if (status_is_due(now, program.done())) {
     const MissionCounts& counts = program.mission().counts();
     std::string body;
     append_json_fields(body, {{"t", to_s(now)},
@@ -115,7 +115,7 @@ void ProgramTap::after_step(Instant now, const HallwayProgram& program) {
     until_pose_ = 6;
     show_way(program);
   }
-  if (status_is_due(now)) {
+  if (status_is_due(now, program.done())) {
     std::string body;
     append_json_fields(body, {{"t", to_s(now)},
                               {"places", static_cast<std::int64_t>(program.map().nodes().size())},
@@ -180,7 +180,7 @@ void ProgramTap::after_step(Instant now, const PhaseProgram& program) {
   sense(now, program.base().fresh());
   // The fuzzy controller knows no place: what it drove by its wheels is shown instead.
   pose(now, program.estimate().value_or(program.odometry()));
-  if (!status_is_due(now)) {
+  if (!status_is_due(now, program.done())) {
     return;
   }
   std::string body;

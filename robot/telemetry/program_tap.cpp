@@ -199,8 +199,9 @@ void ProgramTap::truth(Instant now, const Pose2& X_WR) {
   publish("truth", "truth", std::move(body));
 }
 
-bool ProgramTap::status_is_due(Instant now) {
-  if (status_s_ && to_s(now) - *status_s_ < kStatusEvery_s) {
+bool ProgramTap::status_is_due(Instant now, bool done) {
+  const bool news = done != std::exchange(done_, done);
+  if (!news && status_s_ && to_s(now) - *status_s_ < kStatusEvery_s) {
     return false;
   }
   status_s_ = to_s(now);

@@ -80,8 +80,8 @@ class ProgramTap {
   void show_places(const HallwayProgram& program);
   void show_ceiling(const CeilingMission& mission);
   void show_way(const HallwayProgram& program);
-  /// Once a second: whatever stands on the page in figures.
-  [[nodiscard]] bool status_is_due(Instant now);
+  /// Whatever stands on the page in figures: once a second, and when the mission is done.
+  [[nodiscard]] bool status_is_due(Instant now, bool done);
   /// Publishes it when it is not what was published last.
   void publish_changed(const std::string& key, std::string_view kind, std::string body);
 
@@ -105,6 +105,7 @@ class ProgramTap {
   std::int64_t points_{0};
   std::int64_t events_{0};
   int until_truth_{0};
+  bool done_{false};
 };
 
 }  // namespace sensotwin::robot

@@ -130,7 +130,7 @@ try {
     check(violations.length === 0, `axe-core, ${name}:\n${violations.join("\n")}`);
     const wide = await each.evaluate(() => document.documentElement.scrollWidth - document.documentElement.clientWidth);
     check(wide <= 0, `${name}: the page is ${wide} pixels wider than the screen`);
-    await each.screenshot({ path: join(out, `${name}.png`), fullPage: name.startsWith("phone") });
+    await each.screenshot({ path: join(out, `${name}.png`) });
     check(each.errors.length === 0, `${name}: ${each.errors.join("\n")}`);
     await each.close();
   }

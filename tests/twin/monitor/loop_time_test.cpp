@@ -32,6 +32,8 @@ using Clock = std::chrono::steady_clock;
 
 constexpr int kReaders = 90;
 constexpr int kSlowReaders = 10;
+/// Ticks after which those who left are forgotten, and those who came have the picture.
+constexpr int kSettling = 60;
 
 /// Stands for the browsers, in a process of its own: theirs is not the robot's computer.
 class Browsers {
@@ -39,25 +41,35 @@ class Browsers {
   /// Before there is any thread.
   Browsers() {
     std::array<int, 2> ends{};
+    std::array<int, 2> answers{};
     EXPECT_EQ(::pipe(ends.data()), 0);
+    EXPECT_EQ(::pipe(answers.data()), 0);
     child_ = ::fork();
     if (child_ == 0) {
       ::close(ends[1]);
       (void)!::nice(19);
-      serve(ends[0]);
+      serve(ends[0], answers[1]);
       ::_exit(0);
     }
     ::close(ends[0]);
+    ::close(answers[1]);
     to_child_ = ends[1];
+    from_child_ = answers[0];
   }
   Browsers(const Browsers&) = delete;
   Browsers& operator=(const Browsers&) = delete;
   ~Browsers() {
     ::close(to_child_);
+    ::close(from_child_);
     ::waitpid(child_, nullptr, 0);
   }
-  /// 0: all close their windows.
-  void open(std::uint16_t port) const { EXPECT_EQ(::write(to_child_, &port, sizeof port), 2); }
+  /// Returns once every stream has sent something. \param port  0: all close their windows
+  void open(std::uint16_t port) const {
+    ASSERT_EQ(::write(to_child_, &port, sizeof port), 2);
+    int streams = 0;
+    ASSERT_EQ(::read(from_child_, &streams, sizeof streams), static_cast<ssize_t>(sizeof streams));
+    ASSERT_EQ(streams, port == 0 ? 0 : kReaders + kSlowReaders);
+  }
 
  private:
   static int connect_to(std::uint16_t port, std::string_view request, int receive_bytes) {
@@ -74,7 +86,22 @@ class Browsers {
     return client;
   }
 
-  static void serve(int commands) {
+  /// Streams of these that have sent something, waiting up to five seconds for each.
+  static int answered(const std::vector<int>& clients) {
+    int count = 0;
+    for (const int client : clients) {
+      pollfd handle{.fd = client, .events = POLLIN, .revents = 0};
+      char begin[12]{};
+      const bool came = ::poll(&handle, 1, 5000) > 0;
+      count += came && ::recv(client, begin, sizeof begin, MSG_PEEK) == sizeof begin &&
+                       std::string_view(begin, sizeof begin) == "HTTP/1.1 200"
+                   ? 1
+                   : 0;
+    }
+    return count;
+  }
+
+  static void serve(int commands, int answers) {
     constexpr std::string_view kEvents = "GET /events HTTP/1.1\r\nHost: localhost\r\n\r\n";
     constexpr std::array<std::string_view, 4> kMalformed{
         "GET /../../etc/passwd HTTP/1.1\r\nHost: localhost\r\n\r\n", "\x16\x03\x01\x02",
@@ -113,11 +140,14 @@ class Browsers {
         // A slow reader takes a kilobyte and then nothing more.
         (i < kReaders ? readers : slow).push_back(connect_to(port, kEvents, i < kReaders ? 0 : 1024));
       }
+      const int streams = answered(readers) + answered(slow);
+      (void)!::write(answers, &streams, sizeof streams);
     }
   }
 
   pid_t child_{-1};
   int to_child_{-1};
+  int from_child_{-1};
 };
 
 /// Of the times that ticks took, the one that 99 of 100 stay below, us.
@@ -151,7 +181,11 @@ class LoopTime : public ::testing::Test {
     for (int block = 0; block < 2 * blocks; ++block) {
       const bool loaded = block % 2 == 1;
       browsers_.open(loaded ? port_ : 0);
-      std::this_thread::sleep_for(std::chrono::milliseconds{700});  // all connect, or all are gone
+      for (int tick = 0; tick < kSettling; ++tick) {
+        wait();
+        twin_.tick();
+        tap_.after_tick(twin_);
+      }
       for (int tick = 0; tick < ticks; ++tick) {
         wait();
         tick_into(loaded ? loaded_us_ : quiet_us_);

@@ -83,7 +83,7 @@ export class Chart {
         y: least === undefined ? {} : { range: (_plot, _low, high) => [0, Math.max(high * 1.05, least)] },
       },
       axes: [
-        { ...axis, size: 28, values: (_plot, splits) => splits.map((v) => `${Number(v.toFixed(2))} min`) },
+        { ...axis, size: 28, values: (_plot, splits) => splits.map((v) => ((splits.at(-1) ?? 0) < 2 ? `${Math.round(v * 60)} s` : `${Number(v.toFixed(2))} min`)) },
         { ...axis, size: 44 },
       ],
       series: [

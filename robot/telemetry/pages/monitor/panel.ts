@@ -51,6 +51,7 @@ export class Panel {
   private readonly batteryBar = el("meter", { min: 0, max: 100, low: 20, value: 0, "aria-label": "Battery charge in percent" });
   private readonly batteryText = el("p", { class: "big figures" });
   private readonly batteryCard: HTMLElement;
+  private readonly wiresCard: HTMLElement;
   private readonly tagTitle = el("p", { class: "tag-title" }, "Point at a tag, or step through them with the buttons on the plan.");
   private readonly tagFacts = new Facts();
   private readonly wires = new Facts();
@@ -69,7 +70,7 @@ export class Panel {
     this.batteryCard = el("section", { class: "card", "aria-label": "Battery" }, el("h2", {}, "Battery"), this.batteryText, this.batteryBar, this.battery.element);
     const tag = el("section", { class: "card", "aria-label": "Tag", "aria-live": "polite" }, el("h2", {}, "Tag"), this.tagTitle, this.tagFacts.element);
     const progress = el("section", { class: "card", "aria-label": "Progress" }, this.progressTitle, this.big, this.bar, this.facts.element);
-    const wires = el("section", { class: "card", "aria-label": "Wires" }, el("h2", {}, "Errors on the wires"), this.wiresWord, this.wires.element);
+    const wires = (this.wiresCard = el("section", { class: "card", "aria-label": "Wires" }, el("h2", {}, "Errors on the wires"), this.wiresWord, this.wires.element));
     const events = el("section", { class: "card", "aria-label": "Events" }, el("h2", {}, "Events"), this.list, this.listCount);
     this.element.append(progress, ...this.charts.slice(0, 2).map((chart) => chart.element), tag, events, this.batteryCard, ...this.charts.slice(2).map((chart) => chart.element), wires);
   }
@@ -177,6 +178,7 @@ export class Panel {
     const wrong = names.reduce((sum, [key]) => sum + (number(robot.status, key) ?? 0), 0);
     const troubles = [...robot.events.values()].filter((event) => severityOf(event) === "bad").length;
     const word = facts.length === 0 ? "Nothing known yet" : wrong + troubles === 0 ? "None so far" : `${wrong} on the wires, ${troubles} serious events`;
+    this.wiresCard.hidden = robot.card.mission === "serve";
     setText(this.wiresWord, word);
     this.wires.show(facts);
   }

@@ -62,6 +62,10 @@ std::string hallways_file_in(const Json& request) {
   if (!name.ends_with(".yaml") && !name.ends_with(".yml")) {
     throw TraceError(TraceError::kBadRequest, fmt::format("'{}': a hallway map's name ends in .yaml", name));
   }
+  if (name.ends_with(".scene.yaml") || name.ends_with(".map.yaml")) {
+    throw TraceError(TraceError::kBadRequest,
+                     fmt::format("'{}' would be a scene's or a map's name, not a hallway map's", name));
+  }
   return name;
 }
 
@@ -91,7 +95,7 @@ void TraceSession::open_operand(const std::filesystem::path& file) {
   name_ = stem_of(name);
   try {
     if (name.ends_with(kTracingEnding)) {
-      opened_ = opened_tracing(read_text_file(file, "tracing"), name);
+      opened_ = opened_tracing(read_text_file(file, "tracing"), name, TraceFolder(file.parent_path()));
       return;
     }
     if (file.extension() == ".yaml" || file.extension() == ".yml") {
@@ -110,6 +114,10 @@ void TraceSession::open_operand(const std::filesystem::path& file) {
   const PlanPicture plan = read_plan(file);
   const std::string id = keep(plan);
   opened_ = {{"plan", plan_json(plan, id)}, {"name", name_}};
+  if (std::filesystem::exists(folder_.path() / (name_ + kTracingEnding))) {
+    opened_["note"] =
+        fmt::format("{}{} holds an earlier drawing: Open goes on with it.", name_, kTracingEnding);
+  }
 }
 
 TraceReply TraceSession::answer(const TraceRequest& request) {
@@ -187,7 +195,7 @@ Json TraceSession::session() const {
 Json TraceSession::open(const std::string& name) {
   const std::string text = folder_.read(name);
   if (name.ends_with(kTracingEnding)) {
-    return opened_tracing(text, name);
+    return opened_tracing(text, name, folder_);
   }
   std::vector<Problem> problems;
   const bool yaml = name.ends_with(".yaml") || name.ends_with(".yml");
@@ -208,7 +216,7 @@ Json TraceSession::open(const std::string& name) {
   return {{"plan", plan_json(plan, id)}, {"name", stem_of(name)}};
 }
 
-Json TraceSession::opened_tracing(const std::string& text, const std::string& name) {
+Json TraceSession::opened_tracing(const std::string& text, const std::string& name, const TraceFolder& from) {
   Json document = document_from(text);
   if (document.value("tracing", Json()) != 1) {
     throw TraceError(TraceError::kUnusable, fmt::format("'{}' is no tracing", name));
@@ -219,7 +227,7 @@ Json TraceSession::opened_tracing(const std::string& text, const std::string& na
   const Json placement = document.value("plan", Json());
   if (placement.is_object()) {
     try {
-      PlanPicture plan = plan_from_bytes(folder_.read(stem + ".plan.png"), stem + ".plan.png");
+      PlanPicture plan = plan_from_bytes(from.read(stem + ".plan.png"), stem + ".plan.png");
       take_placement(plan, placement);
       plan.name = placement.value("name", plan.name);
       const std::string id = keep(plan);
@@ -235,7 +243,7 @@ Json TraceSession::opened_tracing(const std::string& text, const std::string& na
   for (const std::string& other : {reply["hallways_file"].get<std::string>(), stem + ".scene.yaml",
                                    stem + ".plan.png", stem + ".map.pgm", stem + ".map.yaml"}) {
     try {
-      reply["stamps"][other] = stamp_of_content(folder_.read(other));
+      reply["stamps"][other] = stamp_of_content(from.read(other));
     } catch (const TraceError&) {
       continue;  // not saved yet
     }

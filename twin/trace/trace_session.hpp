@@ -65,7 +65,8 @@ class TraceSession {
   [[nodiscard]] TraceReply dispatch(const TraceRequest& request);
   [[nodiscard]] Json session() const;
   [[nodiscard]] Json open(const std::string& name);
-  [[nodiscard]] Json opened_tracing(const std::string& text, const std::string& name);
+  [[nodiscard]] Json opened_tracing(const std::string& text, const std::string& name,
+                                    const TraceFolder& from);
   [[nodiscard]] Json save(const Json& request);
   [[nodiscard]] Json scene(const Json& request);
   [[nodiscard]] FileContents contents_to_save(const Json& request, Json& reply) const;

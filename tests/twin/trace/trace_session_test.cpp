@@ -107,6 +107,26 @@ TEST(TraceSession, OpensWhatItSaved) {
   EXPECT_EQ(map["hallways"]["places"][1]["E"]["tags"], Json({"12"}));
 }
 
+TEST(TraceSession, GoesOnWithATracingThatTheCommandLineNames) {
+  TraceBench bench;
+  bench.ask("save", TraceBench::to_save(small_document()));
+  TemporaryFolder elsewhere;
+  TraceSession session(elsewhere.path(), bench.scratch.path());
+  session.open_operand(bench.folder / "three.trace.json");
+  const Json said = Json::parse(session.answer({"session", "", ""}).body);
+  EXPECT_EQ(said["name"], "three");
+  EXPECT_EQ(said["opened"]["document"]["hallways"], small_document()["hallways"]);
+}
+
+TEST(TraceSession, SavesNoHallwayMapUnderTheNameOfASceneOrMap) {
+  TraceBench bench;
+  for (const char* name : {"three.scene.yaml", "three.map.yaml", "three.txt"}) {
+    Json request = TraceBench::to_save(small_document());
+    request["hallways_file"] = name;
+    bench.ask("save", request, 400);
+  }
+}
+
 TEST(TraceSession, KeepsADraftThatTheRobotCouldNotRead) {
   TraceBench bench;
   bench.ask("save", TraceBench::to_save(small_document()));

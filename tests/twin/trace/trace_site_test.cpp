@@ -13,6 +13,7 @@ namespace {
 robot::HttpRequest request(std::string method, std::string path, std::string body = "") {
   robot::HttpRequest made{.method = std::move(method), .path = std::move(path), .body = std::move(body)};
   made.headers["Host"] = "127.0.0.1:8080";
+  made.headers["Content-Length"] = std::to_string(made.body.size());
   return made;
 }
 /// As the page writes.

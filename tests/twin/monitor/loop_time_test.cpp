@@ -32,8 +32,8 @@ using Clock = std::chrono::steady_clock;
 
 constexpr int kReaders = 90;
 constexpr int kSlowReaders = 10;
-/// Ticks after which those who left are forgotten, and those who came have the picture.
-constexpr int kSettling = 60;
+/// Ticks in real time after which those who left are forgotten, and those who came have the picture.
+constexpr int kSettling = 100;
 
 /// Stands for the browsers, in a process of its own: theirs is not the robot's computer.
 class Browsers {
@@ -182,7 +182,7 @@ class LoopTime : public ::testing::Test {
       const bool loaded = block % 2 == 1;
       browsers_.open(loaded ? port_ : 0);
       for (int tick = 0; tick < kSettling; ++tick) {
-        wait();
+        std::this_thread::sleep_for(robot::kTick);
         twin_.tick();
         tap_.after_tick(twin_);
       }

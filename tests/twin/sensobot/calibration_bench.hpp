@@ -69,7 +69,7 @@ class CalibrationTwin {
     }
     robot::ByteLink& uhf = ceiling_ ? ceiling_->reader().link() : static_cast<robot::ByteLink&>(no_reader_);
     program_.emplace(
-        robot::RobotLinks{machine_.serial(), machine_.compass(), uhf, machine_.floor_reader(), no_card_},
+        robot::RobotLinks{machine_.serial(), machine_.sensor_board(), uhf, machine_.floor_reader(), no_card_},
         told, plan);
   }
   CalibrationTwin(const CalibrationTwin&) = delete;

@@ -204,6 +204,9 @@ struct ReaderDescription {
   Vec2 at_m{0.0, 0.0};  ///< middle of the disc in R
   double read_radius_m{0.08};
   double exchange_s{0.012};  ///< one APDU exchange: ISO 15693 at 26 kbit/s plus USB. Chosen in 8 to 30 ms
+  /// From a tag's coming into the field to its being reported and answering: its power-up, the reader's
+  /// polling. 0: at once.
+  double latency_s{0.0};
   double missed_share{0.0};  ///< of the tags come upon that are not heard until they are left again
   double torn_write_probability{0.25};  ///< that a cut-off write leaves a mixed block. Chosen
 };

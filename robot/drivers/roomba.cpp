@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cassert>
+#include <cstdlib>
 
 #include "robot/wire/oi_drive.hpp"
 
@@ -129,8 +130,7 @@ void Roomba::read_stream(Instant now) {
     const std::size_t arrived = link_.read(room);
     decoder_.received(arrived);
     while (const auto frame = decoder_.next()) {
-      const bool good = *frame && (layout_.decode(**frame, values_) || oi::decode_payload(**frame, values_));
-      good ? ++frames : ++health_.frames_corrupt;
+      *frame&& take_payload(**frame, now) ? ++frames : ++health_.frames_corrupt;
     }
     if (arrived < room.size()) {
       break;
@@ -142,6 +142,34 @@ void Roomba::read_stream(Instant now) {
     assign_open_interface(state_, values_, config_.mode_report_offset);
     take_frame(now);
   }
+}
+
+bool Roomba::take_payload(ByteView payload, Instant now) {
+  oi::SensorValues values = values_;
+  // A frame as long as ours names what we asked for; of other lengths are those of an earlier request.
+  const bool ours = payload.size() == layout_.payload_bytes();
+  if (ours ? !layout_.decode(payload, values) : !oi::decode_payload(payload, values).has_value()) {
+    return false;
+  }
+  if (ours && !can_have_turned(values, now)) {
+    return false;
+  }
+  values_ = values;
+  return true;
+}
+
+bool Roomba::can_have_turned(const oi::SensorValues& values, Instant now) {
+  const EncoderCounts told{{static_cast<std::uint16_t>(values[oi::PacketId::kEncoderLeft])},
+                           {static_cast<std::uint16_t>(values[oi::PacketId::kEncoderRight])}};
+  const std::int64_t slots = last_good_ ? (now - *last_good_) / kTick + 1 : 0;
+  const auto near = [&](const std::optional<EncoderCounts>& before) {
+    const std::int64_t most = slots * kMostCountsInATick;
+    return before && std::abs(told.left - before->left) <= most &&
+           std::abs(told.right - before->right) <= most;
+  };
+  const bool believed = !last_good_ || near(state_.encoders) || near(doubted_);
+  doubted_ = believed ? std::nullopt : std::optional{told};
+  return believed;
 }
 
 void Roomba::read_polled(Instant now) {

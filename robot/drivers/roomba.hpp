@@ -98,6 +98,11 @@ class Roomba {
   [[nodiscard]] bool was_sent(const WheelSpeeds& wheels) const;
   void say_start(Instant now);
   void read_stream(Instant now);
+  [[nodiscard]] bool take_payload(ByteView payload, Instant now);
+  /// The sum of a frame lets one in sixteen pass in which two bytes have the same bit turned. Encoder counts
+  /// that no wheel can have reached since the last good frame are such a case, unless the next frame says the
+  /// same: then the robot has begun to count anew.
+  [[nodiscard]] bool can_have_turned(const oi::SensorValues& values, Instant now);
   void read_polled(Instant now);
   void poll(Instant now);
   void take_frame(Instant now);
@@ -106,12 +111,16 @@ class Roomba {
   void watch(Instant now);
   void halt(RoombaStatus because);
 
+  /// 0.5 m/s is 17 counts in 15 ms. Chosen: three times as many, for wheels in the air.
+  static constexpr std::int64_t kMostCountsInATick = 51;
+
   ByteLink& link_;
   RoombaConfig config_;
   oi::StreamLayout layout_;
   oi::StreamDecoder decoder_;
   oi::SensorValues values_;
   RoombaState state_;
+  std::optional<EncoderCounts> doubted_;  ///< of the last frame, when it was not believed
   bool fresh_{false};
   RoombaStatus status_{RoombaStatus::kStarting};
   LinkHealth health_;

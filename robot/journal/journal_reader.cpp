@@ -57,7 +57,8 @@ std::optional<JournalBlock> take_block(ByteView& rest, Instant last) {
     told |= std::uint32_t{(*check)[i]} << (8 * i);
   }
   const auto since_ns = told == check_of(*payload) ? take_number(*payload) : std::nullopt;
-  if (!since_ns) {
+  // Nor is a block good whose time no clock can show: it would lie before the last one.
+  if (!since_ns || *since_ns > static_cast<std::uint64_t>((Instant::max() - last).count())) {
     return std::nullopt;
   }
   block.at = last + Duration{static_cast<std::int64_t>(*since_ns)};

@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "robot/base/rolled_wheels.hpp"
+
 namespace sensotwin::robot {
 namespace {
 
@@ -43,8 +45,7 @@ void PoseFilter::drive(int counts_left, int counts_right, std::optional<double> 
   if (counts_left == 0 && counts_right == 0) {
     return;
   }
-  const double left_m = counts_left * model_.metres_per_count;
-  const double right_m = counts_right * model_.metres_per_count;
+  const auto [left_m, right_m] = rolled_m(model_, counts_left, counts_right);
   const double d_m = (left_m + right_m) / 2.0;
   const double dyaw = (right_m - left_m) / model_.wheel_base_m;
   const double yaw = X_OR_.yaw_rad + dyaw / 2.0;

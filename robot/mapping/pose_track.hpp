@@ -12,6 +12,7 @@ namespace sensotwin::robot {
 struct OdometryModel {
   double wheel_base_m{0.235};                     ///< Create 2 Open Interface 2016, packet 20
   double metres_per_count{kPi * 0.0720 / 508.8};  ///< same, packet 43
+  double wheel_ratio{1.0};  ///< right wheel's diameter over the left's; metres_per_count is of their mean
   /// One sigma at the start of a run, of what stays the same through it. "After calibration 1 % and 1 to 2
   /// degrees per quarter turn" (algorithms study, C.2).
   double scale_sigma{0.01};                ///< travelled / counted distance - 1

@@ -37,6 +37,15 @@ struct AppendValue {
 
 }  // namespace
 
+void append_json_fields(std::string& to, std::initializer_list<EventField> fields) {
+  for (const EventField& field : fields) {
+    to += ',';
+    append_json_string(to, field.key);
+    to += ':';
+    std::visit(AppendValue{to}, field.value);
+  }
+}
+
 EventLog::EventLog(OutputFile file) : file_(std::move(file)) {}
 
 void EventLog::add(Instant now, std::string_view event, std::initializer_list<EventField> fields) {
@@ -45,15 +54,13 @@ void EventLog::add(Instant now, std::string_view event, std::initializer_list<Ev
   line_.append(text.data(), put_fixed<3>(text.data(), to_s(now)));
   line_ += ",\"event\":";
   append_json_string(line_, event);
-  for (const EventField& field : fields) {
-    line_ += ',';
-    append_json_string(line_, field.key);
-    line_ += ':';
-    std::visit(AppendValue{line_}, field.value);
-  }
+  append_json_fields(line_, fields);
   line_ += "}\n";
   file_.append(line_);
   ++count_;
+  if (listener_) {
+    listener_(now, event, fields);
+  }
 }
 
 }  // namespace sensotwin::robot

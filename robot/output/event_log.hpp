@@ -3,9 +3,11 @@
 
 #include <concepts>
 #include <cstdint>
+#include <functional>
 #include <initializer_list>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <variant>
 
 #include "robot/base/time.hpp"
@@ -30,6 +32,9 @@ struct EventField {
   Value value;
 };
 
+/// Appends `,"key":value` for each field, as EventLog writes them.
+void append_json_fields(std::string& to, std::initializer_list<EventField> fields);
+
 /// events.jsonl: one JSON object a line, {"t_s":..., "event":..., fields in the order given}. UTF-8. Numbers
 /// with at most six decimals; one that is not finite becomes null, since JSON has no NaN.
 class EventLog {
@@ -40,6 +45,9 @@ class EventLog {
   /// Something happened. \param event  a past participle or noun: "tag_found", "bump", "write_torn"
   /// \throws OutputError
   void add(Instant now, std::string_view event, std::initializer_list<EventField> fields = {});
+  /// Told of every event after it was written, in the thread that wrote it.
+  using Listener = std::function<void(Instant, std::string_view, std::initializer_list<EventField>)>;
+  void set_listener(Listener listener) { listener_ = std::move(listener); }
   /// \throws OutputError
   void finish() { file_.finish(); }
   [[nodiscard]] std::int64_t count() const { return count_; }
@@ -47,6 +55,7 @@ class EventLog {
  private:
   OutputFile file_;
   std::string line_;
+  Listener listener_;
   std::int64_t count_{0};
 };
 

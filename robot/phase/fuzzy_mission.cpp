@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <cassert>
 
+#include "robot/base/rolled_wheels.hpp"
+
 namespace sensotwin::robot {
 
 FuzzyMission::FuzzyMission(const FuzzyMissionConfig& config)
@@ -110,8 +112,8 @@ void FuzzyMission::count_turn() {
   // Wheels that did not move at all have just been told to, stand, or have no encoders.
   if (last_stamp_ && (sensed_.counts_left != 0 || sensed_.counts_right != 0)) {
     const double asked_rad = status_.turn_rate_radps * to_s(sensed_.stamp - *last_stamp_);
-    const double turned_rad =
-        (sensed_.counts_right - sensed_.counts_left) * config_.metres_per_count / config_.wheel_base_m;
+    const RolledWheels rolled = rolled_m(config_, sensed_.counts_left, sensed_.counts_right);
+    const double turned_rad = (rolled.right_m - rolled.left_m) / config_.wheel_base_m;
     status_.owed_rad =
         std::clamp(status_.owed_rad + asked_rad - turned_rad, -config_.most_owed_rad, config_.most_owed_rad);
   }

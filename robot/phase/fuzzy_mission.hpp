@@ -22,6 +22,7 @@ struct FuzzyMissionConfig {
   double wheel_base_m{0.235};                    ///< Create 2 Open Interface 2016, packet 20
   double top_wheel_mps{0.5};                     ///< same, opcode 145
   double metres_per_count{kPi * 0.072 / 508.8};  ///< same, packet 43
+  double wheel_ratio{1.0};  ///< right wheel's diameter over the left's; metres_per_count is of their mean
   /// Share of the heading still owed (see FuzzyMission) that is made up for in a second. Chosen: frame,
   /// command and acceleration of the wheels take some 50 ms, and a loop through such a delay does not swing
   /// below 1 / (e * 0.05 s) = 7.4.

@@ -5,6 +5,8 @@
 #include <utility>
 #include <variant>
 
+#include "robot/program/floor_sensing.hpp"
+
 namespace sensotwin::robot {
 
 MappingProgram::MappingProgram(const MappingLinks& links, const MappingProgramConfig& config,
@@ -22,7 +24,7 @@ void MappingProgram::step(Instant now) {
   floor_reader_.step(now);
   forward_reader_.step(now);
   sensor_board_.step(now);
-  gather_tags();
+  take_floor_tags(floor_reader_, sensed_);
   gather_objects();
   if (base_.fresh() != nullptr) {
     state_ = *base_.fresh();
@@ -33,23 +35,6 @@ void MappingProgram::step(Instant now) {
   if (const RoombaState* state = base_.fresh()) {
     sense(*state);
     obey(mission_.step(std::exchange(sensed_, Sensed{})));
-  }
-}
-
-void MappingProgram::gather_tags() {
-  while (const auto event = floor_reader_.next_event()) {
-    if (std::holds_alternative<TagEntered>(*event)) {
-      sensed_.tag_entered = true;
-    } else if (const auto* identified = std::get_if<TagIdentified>(&*event)) {
-      sensed_.tag_identified = identified->uid;
-    } else if (std::holds_alternative<TagLeft>(*event)) {
-      // What was said of a tag that has already gone is taken back: the mission sees the field as it is now.
-      sensed_.tag_left = !sensed_.tag_entered;
-      sensed_.tag_entered = false;
-      sensed_.tag_identified.reset();
-    } else if (const auto* written = std::get_if<WriteOutcome>(&*event)) {
-      sensed_.write_ended = TileWriteEnded{written->uid, written->result.has_value()};
-    }
   }
 }
 
@@ -72,12 +57,7 @@ void MappingProgram::gather_objects() {
 
 void MappingProgram::sense(const RoombaState& state) {
   base_sensing_.take(state, sensor_board_, sensed_);
-  sensed_.cliff = std::any_of(state.cliff.begin(), state.cliff.end(), [](bool hole) { return hole; });
-  sensed_.wheel_drop = state.wheel_drop_left || state.wheel_drop_right;
-  sensed_.virtual_wall = state.virtual_wall;
-  if (state.light_bumper) {
-    sensed_.light_bump = state.light_bumper->signal;
-  }
+  take_surroundings(state, sensed_);
 }
 
 void MappingProgram::obey(const Command& command) {

@@ -70,7 +70,6 @@ class MappingProgram {
   [[nodiscard]] std::vector<ObjectSeen> take_objects();
 
  private:
-  void gather_tags();
   void gather_objects();
   void sense(const RoombaState& state);
   void obey(const Command& command);

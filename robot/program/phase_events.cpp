@@ -58,6 +58,8 @@ std::string_view name_of(CeilingEventKind kind) {
       return "reader_back";
     case CeilingEventKind::kCablesSwapped:
       return "cables_swapped";
+    case CeilingEventKind::kCablesDoubted:
+      return "cables_doubted";
     case CeilingEventKind::kBump:
       return "bumped";
     case CeilingEventKind::kSearching:

@@ -44,6 +44,30 @@ std::string_view name_of(MissionEventKind kind) {
   return "map_complete";
 }
 
+std::string_view name_of(LandmarkKind kind) {
+  switch (kind) {
+    case LandmarkKind::kDoorOpeningSide:
+      return "door, opening side";
+    case LandmarkKind::kDoorFixedSide:
+      return "door, fixed side";
+    case LandmarkKind::kFrontDoorOpeningSide:
+      return "front door, opening side";
+    case LandmarkKind::kFrontDoorFixedSide:
+      return "front door, fixed side";
+    case LandmarkKind::kWindowLeft:
+      return "window, left";
+    case LandmarkKind::kWindowRight:
+      return "window, right";
+    case LandmarkKind::kPowerOutlet:
+      return "power outlet";
+    case LandmarkKind::kClosetLeft:
+      return "closet, left";
+    case LandmarkKind::kClosetRight:
+      break;
+  }
+  return "closet, right";
+}
+
 }  // namespace
 
 void record_events(MappingProgram& program, EventLog& events,
@@ -62,12 +86,27 @@ void record_events(MappingProgram& program, EventLog& events,
     }
   }
   for (const ObjectSeen& object : program.take_objects()) {
-    const bool furniture = std::holds_alternative<ObjectRecord>(object.record);
-    events.add(object.stamp, furniture ? "furniture_seen" : "landmark_seen",
-               {{"tag", uid_text(object.tag)},
-                {"x_m", object.X_MR.p_m.x()},
-                {"y_m", object.X_MR.p_m.y()},
-                {"yaw_rad", object.X_MR.yaw_rad}});
+    const Pose2& X_MR = object.X_MR;
+    const std::string tag = uid_text(object.tag);
+    if (const auto* furniture = std::get_if<ObjectRecord>(&object.record)) {
+      events.add(object.stamp, "furniture_seen",
+                 {{"tag", tag},
+                  {"x_m", X_MR.p_m.x()},
+                  {"y_m", X_MR.p_m.y()},
+                  {"yaw_rad", X_MR.yaw_rad},
+                  {"category", furniture->category},
+                  {"length", furniture->length},
+                  {"width", furniture->width},
+                  {"color", furniture->color}});
+      continue;
+    }
+    const auto* landmark = std::get_if<LandmarkRecord>(&object.record);
+    events.add(object.stamp, "landmark_seen",
+               {{"tag", tag},
+                {"x_m", X_MR.p_m.x()},
+                {"y_m", X_MR.p_m.y()},
+                {"yaw_rad", X_MR.yaw_rad},
+                {"kind", landmark != nullptr ? name_of(landmark->kind) : "carpet"}});
   }
 }
 

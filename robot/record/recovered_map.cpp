@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "robot/record/recovered_map.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 
@@ -52,6 +54,20 @@ OccupancyGrid recovered_grid(const MappingMission& mission, double tile_m) {
     }
   }
   return grid;
+}
+
+std::string tiles_csv(const TileMap& map) {
+  std::string text = "column,row,state,tag\n";
+  for (const auto& [tile, tag] : map.tiles()) {
+    const char* const state = map.color(tile) == TileColor::kBlack ? "black" : "grey";
+    text += fmt::format("{},{},{},{:016X}\n", tile.column, tile.row, state, tag);
+  }
+  return text;
+}
+
+void write_recovered_map(RunFolder& folder, const MappingMission& mission, double tile_m) {
+  write_map(folder, recovered_grid(mission, tile_m));
+  folder.write("tiles.csv", tiles_csv(mission.map()));
 }
 
 }  // namespace sensotwin::robot

@@ -8,6 +8,8 @@
 #include "robot/cli/help_formatter.hpp"
 #include "robot/config/problem.hpp"
 #include "robot/output/output_error.hpp"
+#include "robot/telemetry/web/web_address.hpp"
+#include "robot/telemetry/web/web_error.hpp"
 
 namespace sensotwin::robot {
 namespace {
@@ -20,6 +22,10 @@ void add_robot_options(CLI::App& app, Options& options) {
   app.add_option_function<std::string>(
          "--devices", [&options](const std::string& file) { options.devices = file; },
          "Take the section devices: from here; twin serve writes such a file")
+      ->option_text("FILE");
+  app.add_option_function<std::string>(
+         "--calibration", [&options](const std::string& file) { options.calibration = file; },
+         "Lay what sensobot calibrate measured over the robot file")
       ->option_text("FILE");
 }
 
@@ -35,6 +41,16 @@ void add_run(CLI::App& app, RunCommandOptions& options) {
          "Write all bytes of all wires here (default DIR/journal)")
       ->option_text("FILE");
   app.add_flag("--no-journal", options.no_journal, "Write no journal");
+  app.add_option_function<std::vector<std::string>>(
+         "--monitor",
+         [&options](const std::vector<std::string>& given) {
+           options.monitor = given.empty() ? "" : given.front();
+         },
+         "Serve a page that draws what happens (127.0.0.1:8420, else any free port); a token is asked for "
+         "when it is reached from other machines")
+      ->option_text("[HOST:PORT]")
+      ->expected(0, 1)
+      ->check(complaint_about_web_address);
   app.add_option("--rate", options.rate, "Seconds of the robot in one of the clock: the --rtf of twin serve")
       ->option_text("X")
       ->check(CLI::Range(0.01, 1000.0));
@@ -58,12 +74,27 @@ void add_check(CLI::App& app, CheckCommandOptions& options) {
 
 void add_calibrate(CLI::App& app, CalibrateCommandOptions& options) {
   add_robot_options(app, options);
-  app.add_option("--turns", options.turns, "Turns each way round, for the wheel base; 0: none (5)")
+  app.add_option("--turns", options.plan.turns, "Turns each way round, by the compass; 0: none (5)")
       ->option_text("N")
       ->check(CLI::Range(0, 100));
-  app.add_option("--tags", options.tags, "Tiles to drive over and back, for the wheels; 0: none (4)")
+  app.add_option("--laps", options.plan.laps, "Laps each way round a square of floor tags; 0: none (3)")
       ->option_text("N")
-      ->check(CLI::Range(0, 100));
+      ->check(CLI::Range(0, 30));
+  app.add_option("--side", options.plan.side, "Of that square, in tiles (2)")
+      ->option_text("N")
+      ->check(CLI::Range(1, 20));
+  app.add_option("--speed", options.plan.speed_mps, "On the square, m/s (0.15)")
+      ->option_text("V")
+      ->check(CLI::Range(0.03, 0.4));
+  app.add_option("--spins", options.plan.spins,
+                 "Turns under a ceiling tag at each of four spots, for the UHF antennas (0)")
+      ->option_text("N")
+      ->check(CLI::Range(0, 50));
+  app.add_option("--tag", options.plan.tag, "That tag's name (the file's first)")->option_text("NAME");
+  app.add_option_function<std::string>(
+         "--out", [&options](const std::string& file) { options.out = file; },
+         "Write what was measured here, for --calibration (default: stdout)")
+      ->option_text("FILE");
   app.add_option("--rate", options.rate, "Seconds of the robot in one of the clock: the --rtf of twin serve")
       ->option_text("X")
       ->check(CLI::Range(0.01, 1000.0));
@@ -75,6 +106,7 @@ struct Commands {
   RunCommandOptions run;
   CheckCommandOptions check;
   CalibrateCommandOptions calibrate;
+  MonitorCommandOptions monitor;
   ReplayCommandOptions replay;
   ShowCommandOptions show;
 
@@ -83,17 +115,31 @@ struct Commands {
     sub->footer(
         "sensobot run robot.yaml\n"
         "sensobot run robot.yaml --out runs/kitchen --patience 20\n"
+        "sensobot run robot.yaml --monitor 0.0.0.0:8420    # seen from a phone, with the token that is "
+        "printed\n"
         "sensobot run robot.yaml --devices served/devices.yaml --rate 4    # behind twin serve --rtf 4");
     add_run(*sub, run);
     sub = app.add_subcommand("check", "test every device, moving nothing, and print what was found");
     sub->footer("sensobot check robot.yaml\nsensobot check robot.yaml --json | jq .devices");
     add_check(*sub, check);
-    sub =
-        app.add_subcommand("calibrate", "measure wheel base and wheels by turning and by driving over tags");
+    sub = app.add_subcommand(
+        "calibrate",
+        "measure wheels and antennas by driving over floor tags and turning under a ceiling tag");
     sub->footer(
-        "sensobot calibrate robot.yaml               # over a tag, four more ahead of it in a row\n"
-        "sensobot calibrate robot.yaml --tags 0      # the wheel base alone, anywhere");
+        "sensobot calibrate robot.yaml --out measured.yaml             # over a corner of 3 by 3 floor tags\n"
+        "sensobot calibrate robot.yaml --laps 0                        # the wheel base alone, anywhere\n"
+        "sensobot calibrate robot.yaml --turns 0 --laps 0 --spins 4    # under a ceiling tag");
     add_calibrate(*sub, calibrate);
+    sub = app.add_subcommand("monitor", "show several robots on one page: those whose monitors are named");
+    sub->footer(
+        "sensobot monitor http://192.168.1.7:8420/?token=... http://192.168.1.8:8420/?token=...\n"
+        "sensobot monitor --at 0.0.0.0:8421 http://127.0.0.1:8420/");
+    sub->add_option("url", monitor.urls, "Address of a monitor, as its program printed it")
+        ->required()
+        ->option_text("URL...");
+    sub->add_option("--at", monitor.at, "Where to serve the page (127.0.0.1:8420, else any free port)")
+        ->option_text("HOST:PORT")
+        ->check(complaint_about_web_address);
     sub = app.add_subcommand("replay", "run the program of a journal again and compare its commands");
     sub->footer("sensobot replay runs/kitchen/journal");
     sub->add_option("journal", replay.journal, "What sensobot run or twin run --journal wrote")
@@ -115,6 +161,9 @@ struct Commands {
     if (command == "calibrate") {
       return calibrate_command(calibrate, environment);
     }
+    if (command == "monitor") {
+      return monitor_command(monitor, environment);
+    }
     return command == "replay" ? replay_command(replay, environment) : show_command(show, environment);
   }
 };
@@ -129,6 +178,9 @@ ExitCode obey_guarded(const Commands& commands, const std::string& command,
   } catch (const OutputError& error) {
     environment.err << "error: " << error.what() << '\n';
     return error.exit_code();
+  } catch (const WebError& error) {
+    environment.err << "error: " << error.what() << '\n';
+    return ExitCode::kUnavailable;
   } catch (const std::exception& error) {
     environment.err << "error: internal: " << error.what() << '\n';
     return ExitCode::kInternal;

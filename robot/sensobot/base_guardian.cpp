@@ -21,4 +21,16 @@ Guardian begin_base_guardian() {
   return std::move(*guardian);
 }
 
+bool wait_beating(const MonotonicClock& clock, double rate, Instant wake, Guardian& guardian) {
+  // A control step of the machine's time, four of which the guardian waits for.
+  const Duration pause = from_s(to_s(kTick) * rate);
+  bool lives = guardian.beat();
+  for (Instant now = clock.now(); now + pause < wake && lives; now = clock.now()) {
+    clock.wait_until(now + pause);
+    lives = guardian.beat();
+  }
+  clock.wait_until(wake);
+  return lives;
+}
+
 }  // namespace sensotwin::robot

@@ -1,24 +1,18 @@
 // SPDX-License-Identifier: MIT
-#include <fmt/format.h>
-
-#include <array>
-#include <cmath>
-#include <nlohmann/json.hpp>
+#include <algorithm>
 #include <ostream>
 #include <string>
-#include <variant>
 #include <vector>
 
+#include "robot/calibration/calibration_program.hpp"
+#include "robot/calibration/calibration_report.hpp"
 #include "robot/config/problem.hpp"
-#include "robot/drivers/roomba.hpp"
-#include "robot/drivers/sensor_board.hpp"
-#include "robot/drivers/tag_reader.hpp"
+#include "robot/output/output_error.hpp"
+#include "robot/output/output_file.hpp"
 #include "robot/output/signals.hpp"
 #include "robot/sensobot/base_guardian.hpp"
-#include "robot/sensobot/calibration_drive.hpp"
 #include "robot/sensobot/commands.hpp"
 #include "robot/sensobot/devices.hpp"
-#include "robot/settings/program_config.hpp"
 
 namespace sensotwin::robot {
 namespace {
@@ -26,8 +20,12 @@ namespace {
 constexpr Duration kDevicesBy = std::chrono::seconds{10};
 /// A Roomba that is not ready to drive for so long will not be. Chosen: six start-ups said.
 constexpr Duration kReadyBy = std::chrono::seconds{3};
+/// What is said last has left the queues by then. Chosen.
+constexpr Duration kLastWords = std::chrono::milliseconds{45};
+/// Steps between two lines on how far it is. Chosen: half a minute.
+constexpr int kTellEvery = 2000;
 
-/// The drive of a calibration on the machine's devices.
+/// The program of a calibration on the machine's devices.
 class CalibrationRun {
  public:
   CalibrationRun(const RobotFile& robot, const CalibrateCommandOptions& options,
@@ -38,84 +36,54 @@ class CalibrationRun {
         rate_(options.rate),
         devices_(robot, environment.card_service,
                  [this](int port) { guardian_lives_ = guardian_.watch(port) && guardian_lives_; }),
-        links_(devices_.links()),
-        base_(links_.base, base_config_of(robot.settings.base)),
-        sensor_board_(links_.sensors),
-        tags_(links_.floor_reader, card_config_of(robot.settings.floor_reader)),
-        metres_per_count_(mapping_wheels(robot.settings.base)),
-        drive_({.wheel_base_m = robot.settings.base.wheel_base_m,
-                .turns = options.turns,
-                .tags = options.tags,
-                .tile_m = robot.settings.tile_m}) {}
+        program_(devices_.links(), robot.settings, options.plan) {}
   CalibrationRun(const CalibrationRun&) = delete;
   CalibrationRun& operator=(const CalibrationRun&) = delete;
   /// However it ends, the wheels are told to stand.
   ~CalibrationRun() {
-    base_.shut_down();
-    devices_.keep(clock_.now());
+    program_.shut_down();
+    const Instant until = clock_.now() + paced(kLastWords);
+    for (Instant now = clock_.now(); now < until; now = clock_.now()) {
+      devices_.keep(now);
+      clock_.wait_until(now + kTick);
+    }
     guardian_.release();
   }
 
   ExitCode go() {
-    const auto say = [this](std::string_view line) { environment_.err << line << '\n'; };
-    if (const auto code =
-            devices_.wait_for_all(clock_, from_s(to_s(kDevicesBy) * rate_), pending_interruption, say)) {
+    if (const auto code = devices_.wait_for_all(clock_, paced(kDevicesBy), pending_interruption,
+                                                [this](std::string_view line) { say(line); })) {
       return *code;
     }
-    Instant ready_by = clock_.now() + from_s(to_s(kReadyBy) * rate_);
-    for (Instant next = clock_.now(); !drive_.done(); next += kTick) {
+    Instant ready_by = clock_.now() + paced(kReadyBy);
+    Instant next = clock_.now();
+    for (int steps = 1; !program_.done(); ++steps) {
       const Instant now = clock_.now();
-      step(now);
+      devices_.keep(now);
+      program_.step(now);
       if (const auto code = pending_interruption()) {
+        say("stopping: nothing was measured");
         return *code;
       }
-      if (base_.status() == RoombaStatus::kReady) {
-        ready_by = now + from_s(to_s(kReadyBy) * rate_);
+      if (program_.base().status() == RoombaStatus::kReady) {
+        ready_by = now + paced(kReadyBy);
       } else if (now >= ready_by || !guardian_lives_) {
         say("the Roomba is not ready to drive: is it switched on, off its charger, all wheels on the floor?");
         return ExitCode::kUnavailable;
       }
-      clock_.wait_until(next + kTick);
+      if (steps % kTellEvery == 0) {
+        say(program_.progress());
+      }
+      next = std::max(next + kTick, now);
+      guardian_lives_ = wait_beating(clock_, rate_, next, guardian_) && guardian_lives_;
     }
     return ExitCode::kDone;
   }
-  [[nodiscard]] const CalibrationResult& result() const { return drive_.result(); }
+  [[nodiscard]] const CalibrationResult& result() const { return program_.result(); }
 
  private:
-  static double mapping_wheels(const BaseSettings& base) {
-    return kPi * base.wheel_diameter_m / base.counts_per_turn;
-  }
-
-  void step(Instant now) {
-    devices_.keep(now);
-    base_.step(now);
-    sensor_board_.step(now);
-    tags_.step(now);
-    guardian_lives_ = guardian_.beat() && guardian_lives_;
-    while (const auto event = tags_.next_event()) {
-      sensed_.tag_entered = sensed_.tag_entered || std::holds_alternative<TagEntered>(*event);
-      sensed_.tag_left = sensed_.tag_left || std::holds_alternative<TagLeft>(*event);
-    }
-    if (const auto& reading = sensor_board_.compass(); reading && reading->stamp > compass_stamp_) {
-      compass_stamp_ = reading->stamp;
-      sensed_.yaw_from_north_rad = reading->yaw_from_north_rad;
-    }
-    const RoombaState* const state = base_.fresh();
-    if (state == nullptr || base_.status() != RoombaStatus::kReady || !state->encoders) {
-      return;
-    }
-    if (last_counts_) {
-      sensed_.left_m += metres_per_count_ * (state->encoders->left - last_counts_->left);
-      sensed_.right_m += metres_per_count_ * (state->encoders->right - last_counts_->right);
-    }
-    last_counts_ = state->encoders;
-    sensed_.now = now;
-    sensed_.bumped = state->bump_left || state->bump_right;
-    (void)base_.drive(drive_.step(sensed_));
-    sensed_.tag_entered = false;
-    sensed_.tag_left = false;
-    sensed_.yaw_from_north_rad.reset();
-  }
+  void say(std::string_view line) const { environment_.err << line << '\n' << std::flush; }
+  [[nodiscard]] Duration paced(Duration machine) const { return from_s(to_s(machine) * rate_); }
 
   const SensobotEnvironment& environment_;
   Guardian& guardian_;
@@ -123,93 +91,82 @@ class CalibrationRun {
   MonotonicClock clock_;
   double rate_;
   Devices devices_;
-  RobotLinks links_;
-  Roomba base_;
-  SensorBoard sensor_board_;
-  TagReader tags_;
-  double metres_per_count_;
-  CalibrationDrive drive_;
-  CalibrationSensed sensed_;
-  std::optional<EncoderCounts> last_counts_;
-  Instant compass_stamp_;
+  CalibrationProgram program_;
 };
-
-/// Mean of two measurements, and how far they are from it.
-struct Measured {
-  double value{0.0};
-  double spread{0.0};
-};
-Measured mean_of(const std::array<double, 2>& both) {
-  return {0.5 * (both[0] + both[1]), 0.5 * std::abs(both[0] - both[1])};
-}
 
 /// \throws LoadError
-void need_devices(const RobotFile& robot, const CalibrateCommandOptions& options) {
+void need_devices(const RobotFile& robot, const CalibrationPlan& plan) {
   std::vector<Problem> problems;
-  const auto need = [&](bool there, const char* key) {
+  const auto need = [&](bool there, const char* key, const char* what) {
     if (!there) {
-      problems.push_back(
-          {{robot.file, 0, 0}, "devices", std::string{"'"} + key + "' is missing", "a calibration needs it"});
+      problems.push_back({{robot.file, 0, 0}, "devices", std::string{"'"} + key + "' is missing", what});
     }
   };
-  need(robot.devices.base.has_value(), "base");
-  need(options.turns == 0 || robot.devices.sensors.has_value(), "sensors");
-  need(options.tags == 0 || !robot.devices.card_readers.empty(), "card_readers");
+  need(robot.devices.base.has_value(), "base", "a calibration drives");
+  need(plan.turns == 0 || robot.devices.sensors.has_value(), "sensors",
+       "turns are measured by the compass; --turns 0 leaves them out");
+  need(plan.laps == 0 || !robot.devices.card_readers.empty(), "card_readers",
+       "laps are measured by floor tags; --laps 0 leaves them out");
+  need(plan.spins == 0 || robot.devices.llrp.has_value(), "llrp", "antennas are measured by the UHF reader");
   if (robot.settings.base.kind == BaseKind::kRoomba400) {
     problems.push_back({{robot.file, 0, 0},
                         "robot.base.kind",
                         "a Roomba 400 has no encoders to calibrate",
                         "expected create2"});
   }
+  const auto& tags = robot.settings.ceiling_tags;
+  const bool named = plan.tag.empty() || std::any_of(tags.begin(), tags.end(), [&](const KnownTag& tag) {
+                       return tag.name == plan.tag;
+                     });
+  if (plan.spins > 0 && (tags.empty() || !named)) {
+    problems.push_back({{robot.file, 0, 0},
+                        "place.ceiling_tags",
+                        tags.empty() ? "is empty" : "has no tag '" + plan.tag + "'",
+                        "expected the tag under which the robot stands, and its height"});
+  }
   if (!problems.empty()) {
     throw LoadError(problems, kExitInvalid);
   }
 }
 
+std::string next_steps(const CalibrateCommandOptions& options) {
+  const std::string robot = options.robot.string();
+  return options.out ? "next: sensobot run " + robot + " --calibration " + options.out->string() + "\n"
+                     : "next: put these lines into " + robot + ", or say --out FILE and sensobot run " +
+                           robot + " --calibration FILE\n";
+}
+
 }  // namespace
 
 ExitCode calibrate_command(const CalibrateCommandOptions& options, const SensobotEnvironment& environment) {
-  const RobotFile robot = read_robot_file(options.robot, options.devices, RobotFileUse::kCheck);
-  need_devices(robot, options);
+  const RobotFile robot =
+      read_robot_file(options.robot, options.devices, RobotFileUse::kCheck, options.calibration);
+  need_devices(robot, options.plan);
   Guardian guardian = begin_base_guardian();
   CalibrationRun run(robot, options, environment, guardian);
   if (const ExitCode code = run.go(); code != ExitCode::kDone) {
     return code;
   }
   const CalibrationResult& result = run.result();
-  if (result.fault != CalibrationFault::kNone) {
-    environment.err << "nothing was measured: " << say(result.fault) << '\n';
+  environment.err << calibration_text(result, robot.settings);
+  const std::string about =
+      "measured " + environment.utc() + " by sensobot calibrate " + options.robot.filename().string();
+  if (!result.fault.empty()) {
+    environment.err << "came to nothing: " << result.fault << '\n';
     return ExitCode::kNotAccepted;
   }
-  const Measured way = options.tags > 0 ? mean_of(result.way_scale) : Measured{1.0, 0.0};
-  const double diameter_m = robot.settings.base.wheel_diameter_m * way.value;
-  // The base was measured with the ways of the wheels as they were told: longer ones turn as much on a base
-  // as much longer.
-  const Measured base = options.turns > 0 ? mean_of(result.wheel_base_m) : Measured{};
+  const std::string yaml = calibration_yaml(result, robot.settings, about);
+  if (options.out) {
+    OutputFile file(*options.out);
+    file.append(yaml);
+    file.finish();
+  }
   if (options.json) {
-    nlohmann::ordered_json figures;
-    if (options.turns > 0) {
-      figures["wheel_base_m"] = base.value * way.value;
-      figures["wheel_base_spread_m"] = base.spread * way.value;
-    }
-    if (options.tags > 0) {
-      figures["wheel_diameter_m"] = diameter_m;
-      figures["wheel_diameter_spread_m"] = robot.settings.base.wheel_diameter_m * way.spread;
-    }
-    environment.out << figures.dump(2) << '\n';
-    return ExitCode::kDone;
+    environment.out << calibration_json(result, robot.settings);
+  } else if (!options.out) {
+    environment.out << yaml;
   }
-  environment.out << "robot:\n  base:\n";
-  if (options.turns > 0) {
-    environment.out << fmt::format(
-        "    wheel_base_m: {:.5f}      # left and right differ from it by {:.5f}\n", base.value * way.value,
-        base.spread * way.value);
-  }
-  if (options.tags > 0) {
-    environment.out << fmt::format(
-        "    wheel_diameter_m: {:.5f}  # forward and back differ from it by {:.5f}\n", diameter_m,
-        robot.settings.base.wheel_diameter_m * way.spread);
-  }
+  environment.err << next_steps(options);
   return ExitCode::kDone;
 }
 

@@ -230,7 +230,8 @@ class Probe {
 }  // namespace
 
 ExitCode check_command(const CheckCommandOptions& options, const SensobotEnvironment& environment) {
-  const RobotFile robot = read_robot_file(options.robot, options.devices, RobotFileUse::kCheck);
+  const RobotFile robot =
+      read_robot_file(options.robot, options.devices, RobotFileUse::kCheck, options.calibration);
   Probe probe(robot, environment.card_service);
   probe.listen(options.seconds);
   const std::vector<Finding> findings = probe.findings();

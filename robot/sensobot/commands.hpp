@@ -6,7 +6,9 @@
 #include <iosfwd>
 #include <optional>
 #include <string>
+#include <vector>
 
+#include "robot/calibration/calibration_program.hpp"
 #include "robot/output/exit_codes.hpp"
 #include "robot/ports/card_session.hpp"
 
@@ -23,11 +25,13 @@ struct SensobotEnvironment {
 
 struct RunCommandOptions {
   std::filesystem::path robot;
-  std::optional<std::filesystem::path> devices{};  ///< instead of the file's own section
+  std::optional<std::filesystem::path> devices{};      ///< instead of the file's own section
+  std::optional<std::filesystem::path> calibration{};  ///< laid over the file
   std::optional<std::filesystem::path> out{};
   bool force{false};
   std::optional<std::filesystem::path> journal{};  ///< none: in the run's folder
   bool no_journal{false};
+  std::optional<std::string> monitor{};  ///< host:port of a page, empty: where there is room
   double rate{1.0};
   double wait_s{10.0};
   double patience_s{60.0};
@@ -39,6 +43,7 @@ struct RunCommandOptions {
 struct CheckCommandOptions {
   std::filesystem::path robot;
   std::optional<std::filesystem::path> devices{};
+  std::optional<std::filesystem::path> calibration{};
   double seconds{2.0};  ///< of listening to each device
   bool json{false};
 };
@@ -48,13 +53,21 @@ struct CheckCommandOptions {
 struct CalibrateCommandOptions {
   std::filesystem::path robot;
   std::optional<std::filesystem::path> devices{};
-  int turns{5};
-  int tags{4};
+  std::optional<std::filesystem::path> calibration{};
+  CalibrationPlan plan{};
+  std::optional<std::filesystem::path> out{};  ///< none: the lines go to stdout
   double rate{1.0};
   bool json{false};
 };
 [[nodiscard]] ExitCode calibrate_command(const CalibrateCommandOptions& options,
                                          const SensobotEnvironment& environment);
+
+struct MonitorCommandOptions {
+  std::vector<std::string> urls{};  ///< as the other programs printed them
+  std::string at{};                 ///< host:port of the page; empty: where there is room
+};
+[[nodiscard]] ExitCode monitor_command(const MonitorCommandOptions& options,
+                                       const SensobotEnvironment& environment);
 
 struct ReplayCommandOptions {
   std::filesystem::path journal;
@@ -66,6 +79,7 @@ struct ReplayCommandOptions {
 struct ShowCommandOptions {
   std::filesystem::path robot;
   std::optional<std::filesystem::path> devices{};
+  std::optional<std::filesystem::path> calibration{};
 };
 [[nodiscard]] ExitCode show_command(const ShowCommandOptions& options,
                                     const SensobotEnvironment& environment);

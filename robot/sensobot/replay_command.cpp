@@ -16,7 +16,8 @@ ExitCode replay_command(const ReplayCommandOptions& options, const SensobotEnvir
 }
 
 ExitCode show_command(const ShowCommandOptions& options, const SensobotEnvironment& environment) {
-  environment.out << robot_yaml(read_robot_file(options.robot, options.devices));
+  environment.out << robot_yaml(
+      read_robot_file(options.robot, options.devices, RobotFileUse::kRun, options.calibration));
   return ExitCode::kDone;
 }
 

@@ -113,7 +113,7 @@ std::string RobotRecorder::finish(RobotProgram& program, const RunFigures& figur
   events_.finish();
   Json summary{{"robot", robot_.file}, {"outcome", figures.outcome}, {"run_s", figures.run_s}};
   if (MappingProgram* mapping = program.mapping()) {
-    write_map(folder_, recovered_grid(mapping->mission(), robot_.settings.tile_m));
+    write_recovered_map(folder_, mapping->mission(), robot_.settings.tile_m);
     summary["map"] = map_json(robot_, *mapping, figures.run_s);
   } else if (HallwayProgram* hallway = program.hallway()) {
     summary["hallway"] = {{"arrived", hallway->arrived() ? 1 : 0}, {"places", hallway->map().nodes().size()}};

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "robot/output/event_log.hpp"
@@ -31,6 +32,8 @@ class RobotRecorder {
 
   /// After each step. \throws OutputError
   void record(RobotProgram& program);
+  /// Told of every event from now on.
+  void listen(EventLog::Listener listener) { events_.set_listener(std::move(listener)); }
   /// A device came or went. \throws OutputError
   void record(Instant now, const DeviceState& device);
   /// Completes the folder. \returns summary.json's text. \throws OutputError

@@ -16,6 +16,8 @@
 #include "robot/sensobot/devices.hpp"
 #include "robot/sensobot/robot_recorder.hpp"
 #include "robot/settings/robot_program.hpp"
+#include "robot/telemetry/monitor.hpp"
+#include "robot/telemetry/program_tap.hpp"
 
 namespace sensotwin::robot {
 namespace {
@@ -42,6 +44,7 @@ class Run {
         journal_(options.journal, robot_yaml(robot)),
         wiring_(devices_.links(), journal_.writer()),
         program_(wiring_.links(), robot.settings) {
+    begin_monitor_page();
     for (const DeviceState& device : devices_.states()) {
       device_notes_.push_back({device.up, {}, false});
     }
@@ -57,6 +60,10 @@ class Run {
       code = drive();
     }
     shut_down();
+    if (tap_) {
+      tap_->ended(clock_.now(), figures_.outcome);
+      monitor_->hub().flush();
+    }
     figures_.run_s = to_s(clock_.now() - begun_);
     if (const JournalWriter* journal = journal_.writer()) {
       figures_.journal_bytes = journal->bytes_written();
@@ -84,6 +91,32 @@ class Run {
   ExitCode interrupted(ExitCode code) {
     figures_.outcome = "interrupted";
     return code;
+  }
+
+  /// After the guardian was begun: the page has threads.
+  void begin_monitor_page() {
+    if (!options_.monitor) {
+      return;
+    }
+    monitor_ = begin_monitor(*options_.monitor);
+    say("monitor at " + monitor_->url());
+    tap_.emplace(monitor_->hub(), card_of(robot_.settings, robot_.file, "sensobot run"));
+    recorder_.listen([this](Instant now, std::string_view event, std::initializer_list<EventField> fields) {
+      tap_->heard(now, event, fields);
+    });
+  }
+
+  void show(Instant now) {
+    if (!tap_) {
+      return;
+    }
+    if (const MappingProgram* mapping = program_.mapping()) {
+      tap_->after_step(now, *mapping);
+    } else if (const HallwayProgram* hallway = program_.hallway()) {
+      tap_->after_step(now, *hallway);
+    } else {
+      tap_->after_step(now, *program_.phase());
+    }
   }
 
   /// Nothing moves before every device is there.
@@ -116,7 +149,7 @@ class Run {
         figures_.latest_step_s = std::max(figures_.latest_step_s, to_s(now - next));
         next = now;
       }
-      clock_.wait_until(next);
+      guardian_lives_ = wait_beating(clock_, options_.rate, next, guardian_) && guardian_lives_;
     }
     return judge();
   }
@@ -128,8 +161,8 @@ class Run {
     if (JournalWriter* journal = journal_.writer()) {
       journal->end_step(now);
     }
-    guardian_lives_ = guardian_.beat() && guardian_lives_;
     recorder_.record(program_);
+    show(now);
     if (figures_.steps % kLookEvery == 0) {
       look_at_devices(now);
     }
@@ -216,6 +249,8 @@ class Run {
   const RobotRunOptions& options_;
   Guardian& guardian_;
   MonotonicClock clock_;
+  std::unique_ptr<Monitor> monitor_;
+  std::optional<ProgramTap> tap_;
   RobotRecorder recorder_;
   bool guardian_lives_{true};
   Devices devices_;

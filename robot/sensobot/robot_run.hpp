@@ -23,6 +23,8 @@ struct RobotRunOptions {
   double patience_s{60.0};
   std::optional<std::filesystem::path> journal{};  ///< none: no journal
   CardService card_service{begin_pcsc_session};
+  /// Where a page is served that draws what happens, see begin_monitor(); none: no page.
+  std::optional<std::string> monitor{};
   /// Asked every step: what tells the run to stop, if anything does.
   std::function<std::optional<ExitCode>()> interruption{};
   /// A line for people.
@@ -40,7 +42,7 @@ struct RobotRunResult {
 ///
 /// The wheels stand when it returns or throws, whatever happened, as far as anybody can still tell them to.
 /// Forks (guardian.hpp): no other thread may run.
-/// \throws OutputError
+/// \throws OutputError, WebError
 [[nodiscard]] RobotRunResult run_robot(const RobotFile& robot, RunFolder& folder,
                                        const RobotRunOptions& options);
 

@@ -21,11 +21,16 @@ std::uint32_t fresh_map_id(std::string_view utc) {
 }  // namespace
 
 ExitCode run_command(const RunCommandOptions& options, const SensobotEnvironment& environment) {
-  RobotFile robot = read_robot_file(options.robot, options.devices);
+  RobotFile robot = read_robot_file(options.robot, options.devices, RobotFileUse::kRun, options.calibration);
   const std::string utc = environment.utc();
   if (!robot.map_id_given) {
     robot.settings.map_id = fresh_map_id(utc);
     robot.map_id_given = true;  // so that the journal's copy of the file is the one that ran
+  }
+  if (options.rate > 1.0) {
+    // The wire to a card keeps the machine's time, not that of a twin that is served faster.
+    robot.settings.floor_reader.exchange_limit_s *= options.rate;
+    robot.settings.forward_reader.exchange_limit_s *= options.rate;
   }
   const std::filesystem::path path =
       options.out.value_or(std::filesystem::path{"runs"} / (options.robot.stem().string() + "-" + utc));
@@ -34,6 +39,7 @@ ExitCode run_command(const RunCommandOptions& options, const SensobotEnvironment
   if (!options.no_journal) {
     run.journal = options.journal.value_or(path / "journal");
   }
+  run.monitor = options.monitor;
   run.card_service = environment.card_service;
   run.interruption = pending_interruption;
   run.say = [&](std::string_view line) {

@@ -102,8 +102,9 @@ void visit_fields(FieldVisitor& v, HallwayFile& file, std::vector<PlaceText>& pl
 /// Names and numbers in the texts; what they do not name is a problem.
 class MapMaker {
  public:
-  MapMaker(const std::vector<PlaceText>& places, const FieldReader& reader, std::vector<Problem>& problems)
-      : places_(places), reader_(reader), problems_(problems) {
+  MapMaker(const std::vector<PlaceText>& places, const FieldReader& reader, const std::string& section,
+           std::vector<Problem>& problems)
+      : places_(places), reader_(reader), section_(section), problems_(problems) {
     for (const PlaceText& place : places) {
       index_.emplace(place.name, names_.size());
       names_.push_back(place.name);
@@ -118,7 +119,7 @@ class MapMaker {
       node.at_m = place.at_m;
       for (const CompassPoint point : kCompassPoints) {
         if (const auto& text = place.sides[static_cast<std::size_t>(point)]) {
-          node.side(point) = side(*text, "places." + place.name + "." + key_of(point));
+          node.side(point) = side(*text, section_ + "places." + place.name + "." + key_of(point));
         }
       }
       nodes.push_back(std::move(node));
@@ -161,12 +162,71 @@ class MapMaker {
 
   const std::vector<PlaceText>& places_;
   const FieldReader& reader_;
+  const std::string& section_;
   std::vector<Problem>& problems_;
   std::vector<std::string> names_;
   std::map<std::string, std::size_t> index_;
 };
 
+PlaceText text_of(const HallwayNode& node, const HallwayMap& map) {
+  PlaceText place{node.name, node.at_m, {}};
+  for (const CompassPoint point : kCompassPoints) {
+    const Side& side = node.side(point);
+    if (side.hallway == Hallway::kNone) {
+      continue;
+    }
+    SideText text{side.hallway == Hallway::kUnknown ? std::string{kUnknown} : map.node(side.to).name,
+                  side.length_m,
+                  {},
+                  {},
+                  side.tag_m};
+    if (side.bearing_rad) {
+      text.bearing_rad = wrap_angle(-*side.bearing_rad);
+    }
+    for (const TagNumber tag : side.tags) {
+      text.tags.push_back(tag_text(tag));
+    }
+    place.sides[static_cast<std::size_t>(point)] = std::move(text);
+  }
+  return place;
+}
+
 }  // namespace
+
+struct HallwayFields::Texts {
+  HallwayFile head;  ///< all but the map
+  std::vector<PlaceText> places;
+};
+
+HallwayFields::HallwayFields() : texts_(std::make_unique<Texts>()) {}
+
+HallwayFields::HallwayFields(const HallwayFile& hallways) : HallwayFields() {
+  texts_->head = {hallways.version,         hallways.north_rad,   hallways.width_m,
+                  hallways.tag_to_middle_m, hallways.tag_reach_m, {}};
+  for (const HallwayNode& node : hallways.map.nodes()) {
+    texts_->places.push_back(text_of(node, hallways.map));
+  }
+}
+
+HallwayFields::~HallwayFields() = default;
+
+void HallwayFields::visit(FieldVisitor& v) {
+  visit_fields(v, texts_->head, texts_->places);
+}
+
+HallwayFile HallwayFields::read(const FieldReader& reader, const std::string& section,
+                                std::vector<Problem>& problems) const {
+  HallwayFile hallways = texts_->head;
+  hallways.map = MapMaker(texts_->places, reader, section, problems).map();
+  if (problems.empty()) {
+    for (const HallwayMapProblem& problem : hallways.map.check()) {
+      const std::string path =
+          section + "places." + problem.node + (problem.side ? "." + key_of(*problem.side) : "");
+      problems.push_back({reader.place(path), path, problem.what, ""});
+    }
+  }
+  return hallways;
+}
 
 HallwayFile read_hallway_file(const std::filesystem::path& file) {
   return read_hallway_text(read_text_file(file, "hallway map"), file);
@@ -182,18 +242,11 @@ HallwayFile read_hallway_text(const std::string& text, const std::filesystem::pa
   if (!problems.empty()) {
     throw LoadError(std::move(problems), kExitInvalid);
   }
-  HallwayFile hallways;
-  std::vector<PlaceText> places;
+  HallwayFields fields;
   FieldReader reader(root, problems);
-  visit_fields(reader, hallways, places);
+  fields.visit(reader);
   reader.finish();
-  hallways.map = MapMaker(places, reader, problems).map();
-  if (problems.empty()) {
-    for (const HallwayMapProblem& problem : hallways.map.check()) {
-      const std::string path = "places." + problem.node + (problem.side ? "." + key_of(*problem.side) : "");
-      problems.push_back({reader.place(path), path, problem.what, ""});
-    }
-  }
+  HallwayFile hallways = fields.read(reader, "", problems);
   if (!problems.empty()) {
     throw LoadError(std::move(problems), kExitInvalid);
   }
@@ -201,34 +254,9 @@ HallwayFile read_hallway_text(const std::string& text, const std::filesystem::pa
 }
 
 std::string hallway_yaml(const HallwayFile& hallways) {
-  std::vector<PlaceText> places;
-  for (const HallwayNode& node : hallways.map.nodes()) {
-    PlaceText place{node.name, node.at_m, {}};
-    for (const CompassPoint point : kCompassPoints) {
-      const Side& side = node.side(point);
-      if (side.hallway == Hallway::kNone) {
-        continue;
-      }
-      SideText text{
-          side.hallway == Hallway::kUnknown ? std::string{kUnknown} : hallways.map.node(side.to).name,
-          side.length_m,
-          {},
-          {},
-          side.tag_m};
-      if (side.bearing_rad) {
-        text.bearing_rad = wrap_angle(-*side.bearing_rad);
-      }
-      for (const TagNumber tag : side.tags) {
-        text.tags.push_back(tag_text(tag));
-      }
-      place.sides[static_cast<std::size_t>(point)] = std::move(text);
-    }
-    places.push_back(std::move(place));
-  }
-  HallwayFile file{hallways.version,         hallways.north_rad,   hallways.width_m,
-                   hallways.tag_to_middle_m, hallways.tag_reach_m, {}};
+  HallwayFields fields(hallways);
   FieldWriter writer;
-  visit_fields(writer, file, places);
+  fields.visit(writer);
   return writer.text();
 }
 

@@ -2,8 +2,12 @@
 #pragma once
 
 #include <filesystem>
+#include <memory>
 #include <string>
+#include <vector>
 
+#include "robot/config/field_reader.hpp"
+#include "robot/config/field_visitor.hpp"
 #include "robot/config/problem.hpp"
 #include "robot/topology/hallway_config.hpp"
 #include "robot/topology/hallway_map.hpp"
@@ -33,6 +37,28 @@ struct HallwayFile {
   double tag_to_middle_m{HallwayConfig{}.tag_to_middle_m};
   double tag_reach_m{HallwayConfig{}.tag_reach_m};
   HallwayMap map;
+};
+
+/// The fields of a hallway map: of a file of its own, or of a section in another one.
+class HallwayFields {
+ public:
+  /// To be read into.
+  HallwayFields();
+  /// To be written.
+  explicit HallwayFields(const HallwayFile& hallways);
+  ~HallwayFields();
+  HallwayFields(const HallwayFields&) = delete;
+  HallwayFields& operator=(const HallwayFields&) = delete;
+
+  void visit(FieldVisitor& v);
+  /// After the reader's visit. What the texts name is looked up, and the map checked when nothing else is
+  /// wrong. \param section  where the fields stand: "place.hallways.", or "" for a whole file
+  [[nodiscard]] HallwayFile read(const FieldReader& reader, const std::string& section,
+                                 std::vector<Problem>& problems) const;
+
+ private:
+  struct Texts;
+  std::unique_ptr<Texts> texts_;
 };
 
 /// Reads strictly, and checks the map: every mistake in one pass, each with its place.

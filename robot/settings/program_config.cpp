@@ -13,13 +13,6 @@ double metres_per_count(const BaseSettings& base) {
   return kPi * base.wheel_diameter_m / base.counts_per_turn;
 }
 
-WheelModel wheels_of(const BaseSettings& base) {
-  WheelModel wheels;
-  wheels.wheel_base_m = base.wheel_base_m;
-  wheels.metres_per_count = metres_per_count(base);
-  return wheels;
-}
-
 FuzzyMissionConfig fuzzy_of(const RobotSettings& settings) {
   const PhaseMission& mission = *settings.mission.phase;
   const UhfReaderSettings& reader = settings.uhf_reader;
@@ -30,6 +23,8 @@ FuzzyMissionConfig fuzzy_of(const RobotSettings& settings) {
   config.sets = mission.sets;
   config.speed_mps = mission.speed_mps;
   config.wheel_base_m = settings.base.wheel_base_m;
+  config.metres_per_count = metres_per_count(settings.base);
+  config.wheel_ratio = settings.base.wheel_ratio;
   config.top_wheel_mps = settings.base.speed_max_mps;
   const std::size_t left = reader.antennas[0].at_R_m.y() >= reader.antennas[1].at_R_m.y() ? 0 : 1;
   config.pairing = {.pairing = mission.pairing,
@@ -40,6 +35,16 @@ FuzzyMissionConfig fuzzy_of(const RobotSettings& settings) {
                     .left_delay_s = reader.antennas[left].cable_delay_s,
                     .right_delay_s = reader.antennas[1 - left].cable_delay_s};
   return config;
+}
+
+}  // namespace
+
+WheelModel wheels_of(const BaseSettings& base) {
+  WheelModel wheels;
+  wheels.wheel_base_m = base.wheel_base_m;
+  wheels.metres_per_count = metres_per_count(base);
+  wheels.wheel_ratio = base.wheel_ratio;
+  return wheels;
 }
 
 PhaseReaderModel reader_model_of(const UhfReaderSettings& reader) {
@@ -53,8 +58,6 @@ PhaseReaderModel reader_model_of(const UhfReaderSettings& reader) {
   model.noise = reader.noise;
   return model;
 }
-
-}  // namespace
 
 RoombaConfig base_config_of(const BaseSettings& base) {
   RoombaConfig config;
@@ -74,6 +77,7 @@ RoombaConfig base_config_of(const BaseSettings& base) {
 TagReaderConfig card_config_of(const CardReaderSettings& reader) {
   TagReaderConfig config;
   config.uid_order = reader.uid_order;
+  config.exchange_limit = from_s(reader.exchange_limit_s);
   config.blocks_per_command = static_cast<std::uint8_t>(reader.blocks_per_command);
   return config;
 }
@@ -97,6 +101,7 @@ MappingProgramConfig mapping_config_of(const RobotSettings& settings) {
                          .tag_s = mission.pace.tag_s};
   config.mapping.odometry.wheel_base_m = settings.base.wheel_base_m;
   config.mapping.odometry.metres_per_count = metres_per_count(settings.base);
+  config.mapping.odometry.wheel_ratio = settings.base.wheel_ratio;
   config.mapping.body_radius_m = settings.base.radius_m;
   config.mapping.light_bumper.shell_radius_m = settings.base.radius_m;
   config.mapping.read_radius_m = settings.floor_reader.read_radius_m;
@@ -184,6 +189,7 @@ HallwayProgramConfig hallway_config_of(const RobotSettings& settings) {
   HallwayConfig robot;
   robot.wheel_base_m = settings.base.wheel_base_m;
   robot.metres_per_count = metres_per_count(settings.base);
+  robot.wheel_ratio = settings.base.wheel_ratio;
   robot.radius_m = settings.base.radius_m;
   robot.plan_north_rad = hallways.north_rad;
   robot.hallway_width_m = hallways.width_m;

@@ -19,6 +19,10 @@ namespace sensotwin::robot {
 [[nodiscard]] TagReaderConfig card_config_of(const CardReaderSettings& reader);
 [[nodiscard]] UhfReaderConfig uhf_config_of(const UhfReaderSettings& reader);
 
+/// What missions along ceiling tags believe of the wheels.
+[[nodiscard]] WheelModel wheels_of(const BaseSettings& base);
+[[nodiscard]] PhaseReaderModel reader_model_of(const UhfReaderSettings& reader);
+
 /// \pre settings.mission.map
 [[nodiscard]] MappingProgramConfig mapping_config_of(const RobotSettings& settings);
 /// What the mission's explorer reckons with. \pre settings.mission.map

@@ -50,8 +50,10 @@ void card_reader_fields(FieldVisitor& v, CardReaderSettings& reader) {
   v.whole({"blocks_per_command", "blocks of 4 bytes in one command"}, reader.blocks_per_command, 1, 63);
   v.number({"notice_delay_s", "a tag's coming and going is noticed this much late, s"}, reader.notice_delay_s,
            {0.0, 5.0});
+  v.number({"exchange_limit_s", "an exchange without an answer is given up after this, s"},
+           reader.exchange_limit_s, {0.02, 60.0});
   v.number({"notice_sigma_s", "scatter of that, 1 sigma, s"}, reader.notice_sigma_s, {0.0, 5.0});
-  of_the_twin_alone(v, {"at_m", "exchange_s", "torn_write_probability"});
+  of_the_twin_alone(v, {"at_m", "exchange_s", "latency_s", "missed_share", "torn_write_probability"});
 }
 
 void uhf_reader_fields(FieldVisitor& v, UhfReaderSettings& reader) {
@@ -92,6 +94,8 @@ void uhf_reader_fields(FieldVisitor& v, UhfReaderSettings& reader) {
 void robot_fields(FieldVisitor& v, RobotSettings& settings) {
   v.section({"base", "the Roomba"}, [&] {
     base_fields(v, settings.base);
+    v.number({"wheel_ratio", "right wheel's diameter over the left's"}, settings.base.wheel_ratio,
+             {0.8, 1.25});
     of_the_twin_alone(v, {"height_m", "mass_kg", "wheel_acceleration_mps2", "wheel_diameter_sigma",
                           "wheel_base_sigma", "battery_capacity_mah", "battery_charge_mah"});
   });
@@ -104,7 +108,7 @@ void robot_fields(FieldVisitor& v, RobotSettings& settings) {
   of_the_twin_alone(v, {"start", "compass"});
 }
 
-void place_fields(FieldVisitor& v, RobotFile& robot) {
+void place_fields(FieldVisitor& v, RobotFile& robot, HallwayFields& hallways) {
   RobotSettings& settings = robot.settings;
   v.number({"tile_m", "side of a carpet tile, m"}, settings.tile_m, {0.1, 5.0});
   v.list({"ceiling_tags", "UHF tags under the ceiling"}, settings.ceiling_tags, [&](KnownTag& tag) {
@@ -112,18 +116,19 @@ void place_fields(FieldVisitor& v, RobotFile& robot) {
     v.hex({"epc", "its code, 24 hexadecimal digits", true}, tag.epc.bytes);
     v.number({"height_m", "above the floor, m"}, tag.height_m, {0.2, 100.0});
   });
-  const Field hallways{"hallways", "hallway map, a file beside this one"};
+  const Field field{"hallways", "hallway map, or the name of the file beside this one that holds it"};
   v.maybe(
-      hallways, !robot.hallways_file.empty(), [] {}, [&] { v.text(hallways, robot.hallways_file); });
+      field, robot.hallways_given, [&] { robot.hallways_given = true; },
+      [&] { v.section(field, [&] { hallways.visit(v); }); });
   v.number({"floor_tag_radius_m", "a floor tag below a ceiling tag is read within this, m"},
            settings.floor_tag_radius_m, {0.001, 1.0});
 }
 
-void visit_fields(FieldVisitor& v, RobotFile& robot) {
+void visit_fields(FieldVisitor& v, RobotFile& robot, HallwayFields& hallways) {
   v.whole({"version", "of this file format: 1", true}, robot.version, 1, 1);
   v.section({"devices", "where the devices are plugged in", true}, [&] { device_fields(v, robot.devices); });
   v.section({"robot", "the machine"}, [&] { robot_fields(v, robot.settings); });
-  v.section({"place", "what is known of the place"}, [&] { place_fields(v, robot); });
+  v.section({"place", "what is known of the place"}, [&] { place_fields(v, robot, hallways); });
   v.section({"mission", "what the robot is to do; by default, map the carpet"},
             [&] { mission_fields(v, robot.settings.mission); });
   const Field map_id{"map_id", "written into tags, to tell this map from an older one; else a new one"};
@@ -160,6 +165,35 @@ void take_devices(YamlNode& root, const std::filesystem::path& folder,
   } else if (entry != root.entries.end() && entry->value.kind == YamlKind::kText) {
     const std::filesystem::path file = folder / entry->value.text;
     entry->value = section_of(read_text_file(file, "devices"), file.string(), problems);
+  }
+}
+
+/// `place.hallways: FILE` becomes the section that stands in that file.
+void take_hallways(YamlNode& root, const std::filesystem::path& folder, std::vector<Problem>& problems) {
+  for (YamlEntry& section : root.entries) {
+    for (YamlEntry& entry : section.value.entries) {
+      if (section.key == "place" && entry.key == "hallways" && entry.value.kind == YamlKind::kText) {
+        const std::filesystem::path file = folder / entry.value.text;
+        entry.value = section_of(read_text_file(file, "hallway map"), file.string(), problems);
+      }
+    }
+  }
+}
+
+/// Sections key by key; everything else, lists too, as a whole.
+void lay_over(YamlNode& below, const YamlNode& above) {
+  if (below.kind != YamlKind::kSection || above.kind != YamlKind::kSection) {
+    below = above;
+    return;
+  }
+  for (const YamlEntry& entry : above.entries) {
+    const auto found = std::find_if(below.entries.begin(), below.entries.end(),
+                                    [&](const YamlEntry& candidate) { return candidate.key == entry.key; });
+    if (found == below.entries.end()) {
+      below.entries.push_back(entry);
+    } else {
+      lay_over(found->value, entry.value);
+    }
   }
 }
 
@@ -219,22 +253,29 @@ void check_mission(const RobotFile& robot, const FieldReader& reader, std::vecto
 }  // namespace
 
 RobotFile read_robot_file(const std::filesystem::path& file,
-                          const std::optional<std::filesystem::path>& devices, RobotFileUse use) {
-  return read_robot_text(read_text_file(file, "robot file"), file, devices, use);
+                          const std::optional<std::filesystem::path>& devices, RobotFileUse use,
+                          const std::optional<std::filesystem::path>& calibration) {
+  return read_robot_text(read_text_file(file, "robot file"), file, devices, use, calibration);
 }
 
 RobotFile read_robot_text(const std::string& text, const std::filesystem::path& file,
-                          const std::optional<std::filesystem::path>& devices, RobotFileUse use) {
+                          const std::optional<std::filesystem::path>& devices, RobotFileUse use,
+                          const std::optional<std::filesystem::path>& calibration) {
   std::vector<Problem> problems;
   YamlNode root = section_of(text, file.string(), problems);
   take_devices(root, file.parent_path(), devices, problems);
+  if (calibration) {
+    lay_over(root, section_of(read_text_file(*calibration, "calibration"), calibration->string(), problems));
+  }
+  take_hallways(root, file.parent_path(), problems);
   RobotFile robot;
   robot.file = file.string();
+  HallwayFields hallways;
   FieldReader reader(root, problems);
-  visit_fields(reader, robot);
+  visit_fields(reader, robot, hallways);
   reader.finish();
-  if (!robot.hallways_file.empty()) {
-    robot.settings.hallways = read_hallway_file(file.parent_path() / robot.hallways_file);
+  if (robot.hallways_given) {
+    robot.settings.hallways = hallways.read(reader, "place.hallways.", problems);
   }
   if (!reader.has("mission")) {
     robot.settings.mission.map.emplace();
@@ -253,8 +294,9 @@ RobotFile read_robot_text(const std::string& text, const std::filesystem::path& 
 
 std::string robot_yaml(const RobotFile& robot) {
   RobotFile shown = robot;
+  HallwayFields hallways(robot.settings.hallways);
   FieldWriter writer;
-  visit_fields(writer, shown);
+  visit_fields(writer, shown, hallways);
   return writer.text();
 }
 

@@ -28,7 +28,7 @@ struct RobotFile {
   std::string file;  ///< as the user spelt it
   DeviceAddresses devices;
   RobotSettings settings;
-  std::string hallways_file;  ///< relative to this file; empty: none
+  bool hallways_given{false};  ///< settings.hallways was, here or in the file named here
   bool map_id_given{false};
   double time_limit_s{20700.0};  ///< the run ends undone after this. As of scenes
 };
@@ -40,14 +40,18 @@ enum class RobotFileUse : std::uint8_t {
 };
 
 /// \param devices  a file to take the section `devices:` from, instead of what stands there
+/// \param calibration  a file of the same form that holds some sections only: what stands in it takes the
+/// place of what stands here, key by key, lists as a whole
 /// \throws LoadError
 [[nodiscard]] RobotFile read_robot_file(const std::filesystem::path& file,
                                         const std::optional<std::filesystem::path>& devices = {},
-                                        RobotFileUse use = RobotFileUse::kRun);
+                                        RobotFileUse use = RobotFileUse::kRun,
+                                        const std::optional<std::filesystem::path>& calibration = {});
 /// \param file  for messages, and where relative paths begin
 [[nodiscard]] RobotFile read_robot_text(const std::string& text, const std::filesystem::path& file,
                                         const std::optional<std::filesystem::path>& devices = {},
-                                        RobotFileUse use = RobotFileUse::kRun);
+                                        RobotFileUse use = RobotFileUse::kRun,
+                                        const std::optional<std::filesystem::path>& calibration = {});
 
 /// The file with all defaults; reads back to the same.
 [[nodiscard]] std::string robot_yaml(const RobotFile& robot);

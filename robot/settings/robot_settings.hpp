@@ -7,6 +7,8 @@
 
 #include "robot/base/epc.hpp"
 #include "robot/base/geometry.hpp"
+#include "robot/base/time.hpp"
+#include "robot/drivers/tag_reader.hpp"
 #include "robot/mapping/mapping_config.hpp"
 #include "robot/phase/estimation/phase_model.hpp"
 #include "robot/settings/hallway_file.hpp"
@@ -29,7 +31,8 @@ struct BaseSettings {
   BaseFirmware firmware{BaseFirmware::kCurrent};
   double radius_m{0.17};
   double wheel_base_m{0.235};
-  double wheel_diameter_m{0.072};
+  double wheel_diameter_m{0.072};  ///< mean of both
+  double wheel_ratio{1.0};         ///< right wheel's over the left's
   double counts_per_turn{508.8};
   double speed_max_mps{0.5};
 };
@@ -44,6 +47,7 @@ struct CardReaderSettings {
   /// wake it: 0.2 s and 0.115 s then.
   double notice_delay_s{MappingConfig{}.rim_delay_s};
   double notice_sigma_s{0.0};
+  double exchange_limit_s{to_s(TagReaderConfig{}.exchange_limit)};  ///< without an answer it is given up
 };
 
 /// Reader and antennas for the tags under the ceiling, as calibrated. Defaults: the paper's reader.

@@ -22,7 +22,8 @@ enum class HallwayLine : std::uint8_t {
 struct HallwayConfig {
   double wheel_base_m{0.235};                     ///< Create 2 Open Interface 2016, packet 20
   double metres_per_count{kPi * 0.0720 / 508.8};  ///< same, packet 43
-  double radius_m{0.17};                          ///< same: the shell
+  double wheel_ratio{1.0};  ///< right wheel's diameter over the left's; metres_per_count is of their mean
+  double radius_m{0.17};    ///< same: the shell
 
   /// Where each rangefinder looks, counter-clockwise from forward, left to right: two to each side, square to
   /// the wall and 30 degrees ahead of that, three forward. Assumed.

@@ -6,6 +6,8 @@
 #include <span>
 #include <utility>
 
+#include "robot/base/rolled_wheels.hpp"
+
 namespace sensotwin::robot {
 namespace {
 
@@ -80,8 +82,7 @@ double HallwayTracker::off_axis_rad() const {
 }
 
 void HallwayTracker::step(const HallwaySensed& sensed) {
-  const double left_m = sensed.counts_left * config_.metres_per_count;
-  const double right_m = sensed.counts_right * config_.metres_per_count;
+  const auto [left_m, right_m] = rolled_m(config_, sensed.counts_left, sensed.counts_right);
   way_m_ += 0.5 * (left_m + right_m);
   if (axis_rad_ && heading_rad_) {
     const double leftwards_m = 0.5 * (left_m + right_m) * std::sin(off_axis_rad());

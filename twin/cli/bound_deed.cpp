@@ -23,7 +23,12 @@ std::string table_of(const SceneBound& bound) {
                              "bound_second_half_m", figures.bound_second_half_m);
 }
 
-std::string json_of(const Scene& scene, const SceneBound& bound) {
+std::string table_of(const ImageBound& images) {
+  return fmt::format("{:<18} {:>10.5f}\n{:<18} {:>10.5f}\n", "images_rms_m", images.rms_m, "images_median_m",
+                     images.run_median_m);
+}
+
+std::string json_of(const Scene& scene, const SceneBound& bound, const std::optional<ImageBound>& images) {
   const BoundResult figures = figures_of(bound);
   nlohmann::ordered_json json{{"scene", scene.file},
                               {"variant", scene.variant},
@@ -33,6 +38,10 @@ std::string json_of(const Scene& scene, const SceneBound& bound) {
   json["legs"] = nlohmann::ordered_json::array();
   for (std::size_t leg = 1; leg < bound.bound.leg_rms_m.size(); ++leg) {
     json["legs"].push_back({{"leg", leg}, {"to", bound.legs[leg]}, {"bound_m", bound.bound.leg_rms_m[leg]}});
+  }
+  if (images) {
+    json["images_rms_m"] = images->rms_m;
+    json["images_median_m"] = images->run_median_m;
   }
   return json.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace) + "\n";
 }
@@ -48,7 +57,16 @@ ExitCode bound_deed(const BoundOptions& options, Context& context) {
                                    "are there, or a circle",
                                    scene.file));
   }
-  context.out << (context.json ? json_of(scene, *bound) : table_of(*bound));
+  const std::optional<ImageBound> images = options.images ? image_bound_of(scene) : std::nullopt;
+  if (options.images && !images) {
+    throw CommandError(
+        ExitCode::kInvalidData,
+        fmt::format("{}: --images needs world.radio.images above 0, antennas that read at once, "
+                    "and mission.phase.path: polyline of two destinations",
+                    scene.file));
+  }
+  context.out << (context.json ? json_of(scene, *bound, images)
+                               : table_of(*bound) + (images ? table_of(*images) : ""));
   return ExitCode::kDone;
 }
 

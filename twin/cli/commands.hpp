@@ -33,6 +33,10 @@ struct RunOptions {
   bool pictures{true};
   std::optional<std::filesystem::path> tag_log{};
   std::optional<std::filesystem::path> journal{};
+  std::optional<std::string> monitor{};  ///< host:port of a page that shows the run; none: no page
+  double rtf{0.0};                       ///< simulated seconds in a real one; 0: as fast as it goes
+  /// Real seconds that the page stays after the run; none: until Ctrl-C.
+  std::optional<double> monitor_linger_s{};
 };
 [[nodiscard]] Command make_run_command(Deed<RunOptions> deed);
 
@@ -45,9 +49,20 @@ struct ServeOptions {
   bool cards{true};
   bool wait_for_cards{false};
   bool strict_baud{false};
+  bool truth{false};
   std::optional<double> end_after_sim_s{};
+  std::optional<std::string> monitor{};  ///< as of RunOptions
 };
 [[nodiscard]] Command make_serve_command(Deed<ServeOptions> deed);
+
+struct TraceOptions {
+  std::optional<std::filesystem::path>
+      plan{};                                  ///< picture, map, hallway map or tracing; none: an empty sheet
+  std::optional<std::filesystem::path> out{};  ///< folder, or a hallway map in one; none: where the plan lies
+  std::string listen{"127.0.0.1:0"};           ///< port 0: any free one
+  bool open{false};                            ///< the page in the desktop's browser
+};
+[[nodiscard]] Command make_trace_command(Deed<TraceOptions> deed);
 
 struct ValidateOptions {
   SceneChoice choice{};
@@ -78,6 +93,7 @@ struct ShowOptions {
 
 struct BoundOptions {
   SceneChoice choice{};
+  bool images{false};  ///< also what image sources leave to the best linear estimator
 };
 [[nodiscard]] Command make_bound_command(Deed<BoundOptions> deed);
 

@@ -9,6 +9,7 @@ namespace sensotwin::twin {
 ExitCode replay_deed(const ReplayOptions& options, Context& context);
 ExitCode run_deed(const RunOptions& options, Context& context);
 ExitCode serve_deed(const ServeOptions& asked, Context& context);
+ExitCode trace_deed(const TraceOptions& asked, Context& context);
 ExitCode validate_deed(const ValidateOptions& options, Context& context);
 ExitCode bound_deed(const BoundOptions& options, Context& context);
 ExitCode show_deed(const ShowOptions& options, Context& context);

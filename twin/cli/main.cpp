@@ -38,6 +38,7 @@ std::vector<Command> commands() {
   return {
       make_run_command(run_deed),
       make_serve_command(serve_deed),
+      make_trace_command(trace_deed),
       make_replay_command(replay_deed),
       make_validate_command(validate_deed),
       make_bound_command(bound_deed),

@@ -6,6 +6,8 @@
 #include <algorithm>
 #include <charconv>
 
+#include "robot/telemetry/web/web_address.hpp"
+
 namespace sensotwin::twin {
 
 std::optional<std::uint64_t> seed_from(const std::string& text) {
@@ -30,6 +32,17 @@ CLI::Validator number_between(double min, double max) {
         return good ? std::string{} : fmt::format("'{}' is no number from {} to {}", text, min, max);
       },
       ""};
+}
+
+void add_monitor_option(CLI::App& app, std::optional<std::string>& monitor) {
+  app.add_option_function<std::vector<std::string>>(
+         "--monitor",
+         [&monitor](const std::vector<std::string>& given) { monitor = given.empty() ? "" : given.front(); },
+         "Serve a page that draws what happens (127.0.0.1:8420, else any free port); a token is asked for "
+         "when it is reached from other machines")
+      ->option_text("[HOST:PORT]")
+      ->expected(0, 1)
+      ->check([](const std::string& given) { return robot::complaint_about_web_address(given); });
 }
 
 void add_seed_option(CLI::App& app, const std::function<void(std::uint64_t)>& store,

@@ -16,6 +16,8 @@ void add_scene_options(CLI::App& app, SceneChoice& choice);
 /// --out and --force.
 void add_output_options(CLI::App& app, std::optional<std::filesystem::path>& out, bool& force,
                         const std::string& description);
+/// --monitor [ADDR]. Empty: where there is room.
+void add_monitor_option(CLI::App& app, std::optional<std::string>& monitor);
 /// --seed N. \param store  called with each seed given
 void add_seed_option(CLI::App& app, const std::function<void(std::uint64_t)>& store,
                      const std::string& description);

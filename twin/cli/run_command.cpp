@@ -16,6 +16,7 @@ Command make_run_command(Deed<RunOptions> deed) {
           "twin run scenes/house.yaml --seed 8 --set mission.map.explorer=dfm --out runs/dfm\n"
           "twin run scenes/hallway.yaml --tag-log hallway.csv\n"
           "twin run scenes/lesson_2x2.yaml --journal lesson.journal\n"
+          "twin run scenes/house.yaml --monitor --rtf 30            # draws on a page while it runs\n"
           "twin run scenes/house.yaml --json | jq .verdict",
       .set_up =
           [options](CLI::App& app) {
@@ -34,6 +35,16 @@ Command make_run_command(Deed<RunOptions> deed) {
                    "--journal", [options](const std::string& file) { options->journal = file; },
                    "Write all bytes of all wires, for twin replay")
                 ->option_text("FILE");
+            add_monitor_option(app, options->monitor);
+            app.add_option("--rtf", options->rtf,
+                           "Simulated seconds for each real one, to be watched (as fast as it goes)")
+                ->option_text("F")
+                ->check(number_between(1e-2, 1e6));
+            app.add_option_function<double>(
+                   "--monitor-linger", [options](double seconds) { options->monitor_linger_s = seconds; },
+                   "Seconds that the monitor stays after the run (until Ctrl-C)")
+                ->option_text("S")
+                ->check(number_between(0.0, 1e9));
             app.add_flag_callback(
                 "--no-pictures", [options] { options->pictures = false; }, "Leave pictures and charts out");
           },

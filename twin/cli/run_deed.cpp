@@ -59,12 +59,13 @@ ExitCode run_deed(const RunOptions& options, Context& context) {
   }
   const auto path = options.out.value_or(default_run_folder(scene.name, scene.seed, context.utc()));
   RunFolder folder(path, options.force ? Existing::kReplace : Existing::kRefuse);
+  const auto monitor = monitor_for(options.monitor, context);
   const double total = progress_total_of(scene);
   Progress progress(context.talk, context.progress, scene.name, progress_unit_of(scene));
   const double begun = context.wall_s();
   ProgressState state{.done = 0.0, .total = total, .wall_s = 0.0, .note = {}};
   std::string note;
-  const SceneRunOptions run{
+  SceneRunOptions run{
       .scene_as_given = options.choice.scene.string(),
       .trace_every = options.trace_every,
       .pictures = options.pictures,
@@ -84,12 +85,19 @@ ExitCode run_deed(const RunOptions& options, Context& context) {
           },
       .wall_s = context.wall_s,
   };
+  run.telemetry = monitor ? &monitor->hub() : nullptr;
+  if (options.rtf > 0.0) {
+    run.pace = [&](double sim_s) { wait_until_due(sim_s, options.rtf, begun, context); };
+  }
   const Summary summary = run_scene(scene, folder, run);
   if (context.verbosity != Verbosity::kQuiet) {
     progress.finish(state);
   }
   context.out << (context.json ? to_json(summary) : table_of(summary));
   context.say(fmt::format("results in {}", path.string()));
+  if (monitor && !summary.interrupted) {
+    linger(*monitor, options.monitor_linger_s, context);
+  }
   return exit_code_of(summary);
 }
 

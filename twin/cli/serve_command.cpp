@@ -44,6 +44,7 @@ void add_wire_options(CLI::App& app, ServeOptions& options) {
       "--no-cards", [&options] { options.cards = false; }, "Leave the card slots alone");
   app.add_flag("--wait-for-cards", options.wait_for_cards,
                "Let the world stand still until pcscd has noticed that a tag came or went (0.4 s)");
+  app.add_flag("--truth", options.truth, "Leave truth.csv: where the robot was in truth, every 15 ms");
   app.add_flag("--strict-baud", options.strict_baud,
                "Lose what is said to the base at a wrong speed, as a cable does");
 }
@@ -59,6 +60,7 @@ Command make_serve_command(Deed<ServeOptions> deed) {
           "twin serve scenes/house.yaml --out runs/served\n"
           "twin serve scenes/hallway.yaml --llrp 127.0.0.1:5084\n"
           "twin serve scenes/house.yaml --rtf 0.5 --set robot.base.kind=roomba400\n"
+          "twin serve scenes/house.yaml --monitor 0.0.0.0:8420\n"
           "twin serve scenes/lesson_2x2.yaml --rtf max --for 600 --json",
       .set_up =
           [options](CLI::App& app) {
@@ -69,6 +71,7 @@ Command make_serve_command(Deed<ServeOptions> deed) {
                 ->option_text("PATH");
             add_pace_options(app, *options);
             add_wire_options(app, *options);
+            add_monitor_option(app, options->monitor);
           },
       .run = [options, deed = std::move(deed)](Context& context) { return deed(*options, context); },
   };

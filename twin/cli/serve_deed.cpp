@@ -53,6 +53,7 @@ ServerSettings settings_of(const ServeOptions& asked, Context& context, StatusLi
   settings.folder = asked.out.value_or(default_serve_folder(asked.choice.scene));
   settings.factor = asked.factor;
   settings.wait_for_cards = asked.wait_for_cards;
+  settings.truth = asked.truth;
   settings.wires.strict_baud = asked.strict_baud;
   if (asked.llrp) {
     settings.wires.llrp = endpoint_of("--llrp", *asked.llrp);
@@ -80,7 +81,9 @@ ServerSettings settings_of(const ServeOptions& asked, Context& context, StatusLi
 ExitCode serve_deed(const ServeOptions& asked, Context& context) {
   const Scene scene = scene_of(asked.choice);
   StatusLine line(context);
-  const ServerSettings settings = settings_of(asked, context, line);
+  const auto monitor = monitor_for(asked.monitor, context);
+  ServerSettings settings = settings_of(asked, context, line);
+  settings.telemetry = monitor ? &monitor->hub() : nullptr;
   try {
     Server server(scene, settings);
     const ServeStatus last = server.run([&line](const ServeStatus& status) { line.draw(status); });

@@ -24,6 +24,7 @@ using world::TagMemory;
 
 CardReaderSettings card_reader_settings(const world::ReaderDescription& description) {
   return {.exchange = robot::from_s(description.exchange_s),
+          .latency = robot::from_s(description.latency_s),
           .missed_share = description.missed_share,
           .torn_write_probability = description.torn_write_probability};
 }
@@ -32,9 +33,10 @@ void EmulatedCardReader::step(Instant now, TagMemory* in_field) {
   assert(now >= now_);
   if (in_field != in_field_) {
     in_field_ = in_field;
+    answers_from_ = now + settings_.latency;
     missed_ = in_field != nullptr && settings_.missed_share > 0.0 && random_.chance(settings_.missed_share);
   }
-  TagMemory* const tag = missed_ ? nullptr : in_field;
+  TagMemory* const tag = missed_ || now < answers_from_ ? nullptr : in_field;
   const Instant before = now_;
   now_ = now;
   if (tag != tag_) {
@@ -105,7 +107,8 @@ void EmulatedCardReader::complete() {
 void EmulatedCardReader::cut_off(Instant left_at, CardError error) {
   const auto command = robot::decode_command(command_);
   if (const auto* update = command ? std::get_if<robot::UpdateBinary>(&*command) : nullptr) {
-    if (check(*update).ok()) {
+    // An exchange that takes no time has programmed nothing when it is cut off.
+    if (check(*update).ok() && exchange_->due > exchange_->begun) {
       tear(*update, robot::to_s(left_at - exchange_->begun) / robot::to_s(exchange_->due - exchange_->begun));
     }
   }

@@ -17,6 +17,7 @@ namespace sensotwin::twin {
 
 struct CardReaderSettings {
   robot::Duration exchange{};          ///< from begin() to the answer
+  robot::Duration latency{};           ///< from a tag's coming into the field to its answering
   double missed_share{0.0};            ///< of tags come upon that are not heard until they are left again
   double torn_write_probability{0.0};  ///< that a block cut off while it is programmed ends as a mixture
   robot::UidOrder uid_order{robot::UidOrder::kMsbFirst};
@@ -86,6 +87,7 @@ class EmulatedCardReader final : public robot::CardLink {
   world::TagMemory* in_field_{nullptr};
   world::TagMemory* tag_{nullptr};  ///< that answers
   bool missed_{false};              ///< the one in the field does not
+  robot::Instant answers_from_{};   ///< it does from then on
   bool plugged_{true};
   bool swapped_{false};  ///< another tag took the place of one, and nobody asked since
   robot::Duration extra_delay_{};

@@ -79,7 +79,9 @@ bool EmulatedUhfReader::connect() {
   llrp::ReaderEvent event = event_now();
   if (is_connected()) {
     event.connection_attempt = llrp::ConnectionAttemptEvent{llrp::ConnectionAttempt::kAnotherAttempted};
-    put(llrp::ReaderEventNotification{std::move(event)}, next_id_++);
+    if (out_bytes_ <= settings_.buffer_bytes) {  // the first one may have stopped reading long ago
+      put(llrp::ReaderEventNotification{std::move(event)}, next_id_++);
+    }
     return false;
   }
   disconnect();

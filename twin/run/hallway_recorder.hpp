@@ -2,6 +2,7 @@
 #pragma once
 
 #include <optional>
+#include <utility>
 #include <vector>
 
 #include "render/views.hpp"
@@ -23,6 +24,8 @@ class HallwayRecorder {
 
   /// After each tick. \throws OutputError
   void record(HallwayTwin& twin);
+  /// Told of every event from now on.
+  void listen(robot::EventLog::Listener listener) { events_.set_listener(std::move(listener)); }
   /// Completes the files; they are valid whenever the run ended. \throws OutputError
   void finish();
 

@@ -11,6 +11,7 @@
 #include "twin/run/run_parts.hpp"
 #include "twin/run/tick_loop.hpp"
 #include "twin/run/twin_journal.hpp"
+#include "twin/run/twin_tap.hpp"
 #include "twin/scene/floor_plan.hpp"
 
 namespace sensotwin::twin {
@@ -74,7 +75,10 @@ Summary run_hallway(const Scene& scene, RunFolder& folder, const SceneRunOptions
   HallwayTwin twin(scene, journal.on_hallway_wires());
   HallwayRecorder recorder(scene, folder, options.trace_every, options.pictures);
   JournallingRecorder journalling(recorder, journal);
-  TickLoop loop(options.wall_s);
+  TwinTap tap(options.telemetry, scene, hallway_settings_of(scene));
+  TappingRecorder tapping(journalling, tap);
+  recorder.listen(tap.listener());
+  TickLoop loop(options.wall_s, options.pace);
   const auto may_go_on = [&] {
     return !options.keep_going ||
            options.keep_going({.sim_s = robot::to_s(twin.now()),
@@ -83,7 +87,8 @@ Summary run_hallway(const Scene& scene, RunFolder& folder, const SceneRunOptions
   };
   Summary summary;
   const robot::Instant limit{robot::from_s(scene.limits.time_limit_s)};
-  summary.interrupted = !loop.run(twin, journalling, limit, may_go_on);
+  summary.interrupted = !loop.run(twin, tapping, limit, may_go_on);
+  tap.ended(twin.now(), summary.interrupted);
   recorder.finish();
   const double looped_s = wall_s(options);
 

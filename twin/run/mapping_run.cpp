@@ -12,6 +12,7 @@
 #include "twin/run/run_recorder.hpp"
 #include "twin/run/tick_loop.hpp"
 #include "twin/run/twin_journal.hpp"
+#include "twin/run/twin_tap.hpp"
 #include "world/free_space.hpp"
 
 namespace sensotwin::twin {
@@ -20,6 +21,17 @@ namespace {
 /// The tiles that this explorer is there to map.
 const std::set<std::pair<int, int>>& promised_by(const Scene& scene, const world::ReachableTiles& truth) {
   return scene.mission.map->explorer == robot::ExplorerKind::kSweep ? truth.reachable : truth.grid_reachable;
+}
+
+/// Tiles of the scene by how they can be reached.
+world::ReachableTiles reachable_in(const Scene& scene, const MappingTwin& twin) {
+  std::vector<world::Vec2> carpet_tags;
+  for (const world::Tag& tag : twin.world().tags()) {
+    if (tag.place == world::TagPlace::kCarpet) {
+      carpet_tags.push_back(tag.at_m);
+    }
+  }
+  return world::reachable_tiles(scene.world, scene.robot, {}, carpet_tags);
 }
 
 MapResult map_result(const Scene& scene, const MappingTwin& twin, const MapVerdict& verdict,
@@ -56,7 +68,13 @@ Summary run_mapping(const Scene& scene, RunFolder& folder, const SceneRunOptions
   MappingTwin twin(scene, journal.on_mapping_wires());
   RunRecorder recorder(folder, options.trace_every);
   JournallingRecorder journalling(recorder, journal);
-  TickLoop loop(options.wall_s);
+  TwinTap tap(options.telemetry, scene, robot_settings_of(scene));
+  TappingRecorder tapping(journalling, tap);
+  recorder.listen(tap.listener());
+  if (options.telemetry != nullptr) {
+    tap.show_total(promised_by(scene, reachable_in(scene, twin)).size());
+  }
+  TickLoop loop(options.wall_s, options.pace);
   const auto may_go_on = [&] {
     return !options.keep_going || options.keep_going({.sim_s = robot::to_s(twin.now()),
                                                       .done = static_cast<int>(recorder.found().size()),
@@ -64,17 +82,12 @@ Summary run_mapping(const Scene& scene, RunFolder& folder, const SceneRunOptions
   };
   const robot::Instant limit{robot::from_s(scene.limits.time_limit_s)};
   Summary summary;
-  summary.interrupted = !loop.run(twin, journalling, limit, may_go_on);
+  summary.interrupted = !loop.run(twin, tapping, limit, may_go_on);
+  tap.ended(twin.now(), summary.interrupted);
   recorder.finish();
   const double looped_s = wall_s(options);
 
-  std::vector<world::Vec2> carpet_tags;
-  for (const world::Tag& tag : twin.world().tags()) {
-    if (tag.place == world::TagPlace::kCarpet) {
-      carpet_tags.push_back(tag.at_m);
-    }
-  }
-  const world::ReachableTiles truth = world::reachable_tiles(scene.world, scene.robot, {}, carpet_tags);
+  const world::ReachableTiles truth = reachable_in(scene, twin);
   const auto placement = placement_of(scene, twin);
   const MapVerdict verdict =
       judge_map(twin.world().tags(), twin.map_id(), placement, promised_by(scene, truth));
@@ -84,7 +97,7 @@ Summary run_mapping(const Scene& scene, RunFolder& folder, const SceneRunOptions
       links_of(twin.program(), {&twin.program().floor_reader(), &twin.program().forward_reader()});
   summary.expect = judge(limits_of(scene), figures_of(summary));
 
-  write_map(folder, recovered_grid(twin.program().mission(), scene.world.carpet.tile_m));
+  robot::write_recovered_map(folder, twin.program().mission(), scene.world.carpet.tile_m);
   if (options.pictures && !summary.interrupted) {
     // Whoever interrupts is answered within a second; a house takes three to draw.
     summary.interrupted = !draw_run(scene, twin, recorder, verdict, placement, summary, folder, may_go_on);

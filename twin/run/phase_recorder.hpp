@@ -5,6 +5,7 @@
 #include <filesystem>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "render/phase_views.hpp"
@@ -29,6 +30,8 @@ class PhaseRecorder {
 
   /// After each tick. \throws OutputError
   void record(PhaseTwin& twin);
+  /// Told of every event from now on.
+  void listen(robot::EventLog::Listener listener) { events_.set_listener(std::move(listener)); }
   /// Completes the files; they are valid whenever the run ended. \throws OutputError
   void finish();
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "twin/run/phase_run.hpp"
 
+#include "twin/run/phase_config.hpp"
 #include "twin/run/phase_pictures.hpp"
 #include "twin/run/phase_recorder.hpp"
 #include "twin/run/phase_twin.hpp"
@@ -8,6 +9,7 @@
 #include "twin/run/scene_bound.hpp"
 #include "twin/run/tick_loop.hpp"
 #include "twin/run/twin_journal.hpp"
+#include "twin/run/twin_tap.hpp"
 
 namespace sensotwin::twin {
 Summary run_phase(const Scene& scene, RunFolder& folder, const SceneRunOptions& options) {
@@ -16,7 +18,10 @@ Summary run_phase(const Scene& scene, RunFolder& folder, const SceneRunOptions& 
   PhaseTwin twin(scene, journal.on_phase_wires());
   PhaseRecorder recorder(scene, folder, options.trace_every, options.pictures, options.tag_log);
   JournallingRecorder journalling(recorder, journal);
-  TickLoop loop(options.wall_s);
+  TwinTap tap(options.telemetry, scene, robot_settings_of(scene, twin.radio()));
+  TappingRecorder tapping(journalling, tap);
+  recorder.listen(tap.listener());
+  TickLoop loop(options.wall_s, options.pace);
   const auto may_go_on = [&] {
     return !options.keep_going || options.keep_going({.sim_s = robot::to_s(twin.now()),
                                                       .done = static_cast<int>(twin.program().leg()),
@@ -24,7 +29,8 @@ Summary run_phase(const Scene& scene, RunFolder& folder, const SceneRunOptions& 
   };
   Summary summary;
   const robot::Instant limit{robot::from_s(scene.limits.time_limit_s)};
-  summary.interrupted = !loop.run(twin, journalling, limit, may_go_on);
+  summary.interrupted = !loop.run(twin, tapping, limit, may_go_on);
+  tap.ended(twin.now(), summary.interrupted);
   recorder.finish();
   const double looped_s = wall_s(options);
 

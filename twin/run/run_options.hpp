@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "robot/telemetry/telemetry_hub.hpp"
 #include "twin/output/run_folder.hpp"
 #include "twin/output/summary.hpp"
 #include "twin/scene/scene.hpp"
@@ -30,6 +31,10 @@ struct SceneRunOptions {
   std::optional<std::filesystem::path> journal{};
   /// Missions along ceiling tags by our own controller: their bound, when it is known. Else the run finds it.
   std::optional<BoundResult> bound{};
+  /// What a monitor is told; none: there is none. Outlives the run.
+  robot::TelemetryHub* telemetry{nullptr};
+  /// Called after each tick with the simulated time: may wait, to be watched. Changes nothing of the run.
+  std::function<void(double)> pace{};
   /// Asked a few hundred times a simulated hour, and between pictures; false ends the run in order, with
   /// valid files and no further picture.
   std::function<bool(const RunProgress&)> keep_going;

@@ -5,6 +5,7 @@
 #include <memory>
 
 #include "twin/run/phase_config.hpp"
+#include "world/radio/air.hpp"
 #include "world/radio/radio.hpp"
 
 namespace sensotwin::twin {
@@ -119,6 +120,24 @@ std::optional<SceneBound> bound_of(const Scene& scene) {
   }
   bound.bound = robot::posterior_bound(task);
   return bound;
+}
+
+std::optional<ImageBound> image_bound_of(const Scene& scene, int draws) {
+  if (!scene.mission.phase || !scene.world.radio || scene.mission.phase->path != PhasePath::kPolyline) {
+    return std::nullopt;
+  }
+  const std::vector<std::size_t> route = route_of(scene);
+  const world::RadioWorld radio = radio_of(scene, robot::RandomStream(kHopTable));
+  if (route.size() < 2 || radio.radio.images == 0 || !radio.radio.simultaneous) {
+    return std::nullopt;
+  }
+  robot::PathBoundTask path = task_of(scene, radio, route);
+  path.rate_hz = radio.radio.rate_hz;
+  const ImageSources images{.count = radio.radio.images,
+                            .amplitude = radio.radio.image_amplitude,
+                            .nearest_m = world::kNearestImage_m,
+                            .farthest_m = world::kFarthestImage_m};
+  return image_bound({.path = std::move(path), .images = images, .draws = draws});
 }
 
 BoundResult figures_of(const SceneBound& bound) {

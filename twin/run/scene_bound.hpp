@@ -7,6 +7,7 @@
 
 #include "robot/phase/estimation/path_bound.hpp"
 #include "twin/output/summary.hpp"
+#include "twin/run/image_bound.hpp"
 #include "twin/scene/scene.hpp"
 
 namespace sensotwin::twin {
@@ -25,6 +26,12 @@ struct SceneBound {
 ///
 /// \returns nothing when the scene has no path along ceiling tags of which anything is counted
 [[nodiscard]] std::optional<SceneBound> bound_of(const Scene& scene);
+
+/// What the best linear estimator makes of the scene's image sources (image_bound.hpp). Takes seconds.
+/// \returns nothing without image sources, or where the path is no polyline of two legs, or the antennas do
+/// not read at once
+[[nodiscard]] std::optional<ImageBound> image_bound_of(const Scene& scene,
+                                                       int draws = ImageBoundTask{}.draws);
 
 /// As figures of a run.
 [[nodiscard]] BoundResult figures_of(const SceneBound& bound);

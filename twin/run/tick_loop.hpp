@@ -14,7 +14,9 @@ namespace sensotwin::twin {
 class TickLoop {
  public:
   /// \param wall_s  main's clock; none: nothing is timed
-  explicit TickLoop(const std::function<double()>& wall_s) : wall_s_(wall_s) {}
+  /// \param pace  see SceneRunOptions; none: as fast as it goes
+  explicit TickLoop(const std::function<double()>& wall_s, const std::function<void(double)>& pace = {})
+      : wall_s_(wall_s), pace_(pace) {}
 
   /// \param may_go_on  asked now and then
   /// \returns true when the mission ended by itself or at `limit`, false when it was told to stop
@@ -22,7 +24,10 @@ class TickLoop {
   bool run(Twin& twin, Recorder& recorder, robot::Instant limit, const std::function<bool()>& may_go_on) {
     for (int tick = 0; !twin.done() && twin.now() < limit; ++tick) {
       one_tick(twin, recorder);
-      if (tick % kAskEvery == 0 && !may_go_on()) {
+      if (pace_) {
+        pace_(robot::to_s(twin.now()));
+      }
+      if (tick % (pace_ ? kAskEveryPaced : kAskEvery) == 0 && !may_go_on()) {
         return false;
       }
     }
@@ -34,6 +39,8 @@ class TickLoop {
  private:
   /// Ticks between two looks at the outside. Chosen: 15 s of the twin, some ten milliseconds of ours.
   static constexpr int kAskEvery = 1000;
+  /// Of a run that is slowed down to be watched. Chosen: a tenth of a second at real time.
+  static constexpr int kAskEveryPaced = 7;
   /// One tick in so many is timed part by part; a clock costs as much as a light tick does.
   static constexpr int kTimeEvery = 64;
 
@@ -60,6 +67,7 @@ class TickLoop {
   }
 
   const std::function<double()>& wall_s_;
+  const std::function<void(double)> pace_;
   long count_{0};
   Timing parts_;
 };

@@ -18,10 +18,7 @@ std::string robot_file_of(const Scene& scene) {
     file.settings = robot_settings_of(scene, radio_of(scene, random));
   } else if (scene.mission.hallway) {
     file.settings = hallway_settings_of(scene);
-    const std::string& name =
-        scene.layout.hallways ? scene.layout.hallways->file : scene.layout.map->hallways;
-    file.hallways_file =
-        std::filesystem::absolute(std::filesystem::path(scene.file).parent_path() / name).string();
+    file.hallways_given = true;
   } else {
     file.settings = robot_settings_of(scene, map_id_of(scene));
     file.map_id_given = true;

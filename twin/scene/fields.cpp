@@ -242,6 +242,8 @@ void reader_fields(FieldVisitor& v, world::ReaderDescription& reader) {
   v.point({"at_m", "middle of its spot, in the robot's frame, m"}, reader.at_m, {-1.0, 1.0});
   v.number({"read_radius_m", "a tag answers within this radius, m"}, reader.read_radius_m, {0.005, 1.0});
   v.number({"exchange_s", "time of one command and its answer, s"}, reader.exchange_s, {0.0, 1.0});
+  v.number({"latency_s", "from a tag's coming into the field to its answering, s"}, reader.latency_s,
+           {0.0, 5.0});
   v.number({"missed_share", "of tags come upon that are not heard until they are left again"},
            reader.missed_share, kFraction);
   v.number({"torn_write_probability", "that a write cut off leaves a mixed block"},

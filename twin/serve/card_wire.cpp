@@ -21,6 +21,13 @@ constexpr double kRedial_s = 1.0;
 constexpr double kHoldAnswer_s = 1.0;
 /// What pcscd may take to notice a tag. Chosen: two looks and some.
 constexpr double kNoticed_s = 1.5;
+/// What a client of pcscd may take to speak to a tag that pcscd has noticed. Chosen: ten of sensobot's looks,
+/// two SCardConnects. Who only watches costs so much a tag.
+constexpr double kSpeaks_s = 0.1;
+/// When the client has only just come. Chosen: it opens its other devices too.
+constexpr double kFirst_s = 1.0;
+/// And to look once more, when one has gone. Chosen: sensobot looks every 7 ms.
+constexpr double kLooks_s = 0.015;
 /// Seven of pcscd's looks (0.4 s each) without one for us.
 constexpr double kSilent_s = 3.0;
 /// A message has a length of 16 bits, and we read no second one before the first is answered.
@@ -49,7 +56,7 @@ void CardWire::do_watch(std::vector<pollfd>& handles) const {
 
 void CardWire::do_pump(double wall_s) {
   look_at_field(wall_s);
-  see_whether_noticed();
+  see_whether_noticed(wall_s);
   if (!socket_ && wall_s >= dial_again_s_) {
     dial(wall_s);
   }
@@ -64,6 +71,7 @@ void CardWire::do_pump(double wall_s) {
 void CardWire::tell_atr(double wall_s) {
   if (present_) {
     asked_ = false;
+    noticed_s_ = told_in_ ? noticed_s_ : wall_s;
     told_in_ = true;
     answer(icode_sli_atr());
   } else if (wall_s - asked_s_ >= kHoldAnswer_s) {
@@ -81,6 +89,7 @@ void CardWire::look_at_field(double wall_s) {
   }
   if (present_ != present) {
     changed_s_ = wall_s;
+    spoken_to_ = false;
   }
   present_ = present;
 }
@@ -93,19 +102,31 @@ void CardWire::take_leave(double wall_s) {
   dial_again_s_ = wall_s;
 }
 
-void CardWire::see_whether_noticed() {
+void CardWire::see_whether_noticed(double wall_s) {
   std::array<std::uint8_t, 4096> chunk;  // NOLINT(cppcoreguidelines-pro-type-member-init)
   if (left_) {
     const ssize_t size = ::recv(left_.get(), chunk.data(), chunk.size(), 0);
     if (size == 0 || (size < 0 && errno != EAGAIN && errno != EINTR)) {
       left_.reset();
+      noticed_s_ = wall_s;
     }
   }
 }
 
 bool CardWire::is_settled(double wall_s) const {
-  const bool known = present_ ? told_in_ : !left_;
+  const bool known = present_ ? told_in_ && (spoken_to_ || wall_s - noticed_s_ > kSpeaks_s)
+                              : !left_ && wall_s - noticed_s_ > kLooks_s;
+  if (peer_ == Peer::kUnknown) {
+    // Dialled, and pcscd has not come by yet: it will, or there is none.
+    return wall_s - dialled_s_ > kSilent_s;
+  }
   return known || peer_ != Peer::kServing || wall_s - changed_s_ > kNoticed_s;
+}
+
+void CardWire::await_client(double wall_s) {
+  spoken_to_ = false;
+  changed_s_ = wall_s;
+  noticed_s_ = wall_s + kFirst_s - kSpeaks_s;
 }
 
 void CardWire::dial(double wall_s) {
@@ -184,6 +205,7 @@ void CardWire::obey(ByteView message) {
   }
   if (present_ && reader_.begin(message)) {
     exchange_ = true;
+    spoken_to_ = true;
   } else {
     hang_up();
   }

@@ -40,8 +40,13 @@ class CardWire final : public Wire {
   [[nodiscard]] const Endpoint& endpoint() const { return vpcd_; }
   /// vpcd has been told that there is a tag.
   [[nodiscard]] bool card_is_in() const { return told_in_; }
-  /// pcscd knows what is in the field now, or nobody asks, or it has had time enough.
+  /// pcscd knows what is in the field now and whoever asks it has had time to act on that: has spoken to a
+  /// tag that came, or could have looked once more when one went. True too when nobody asks, or all have had
+  /// time enough.
   [[nodiscard]] bool is_settled(double wall_s) const;
+  /// Somebody has come to drive the robot: the tag that it stands on has not been spoken to by this client,
+  /// who gets a second for it.
+  void await_client(double wall_s);
 
  private:
   void do_watch(std::vector<pollfd>& handles) const override;
@@ -52,7 +57,7 @@ class CardWire final : public Wire {
   void dial(double wall_s);
   void hang_up();
   void take_leave(double wall_s);
-  void see_whether_noticed();
+  void see_whether_noticed(double wall_s);
   void listen(double wall_s);
   /// \returns whether the whole of a message has come and was dealt with
   [[nodiscard]] bool take_message();
@@ -73,7 +78,9 @@ class CardWire final : public Wire {
   bool exchange_{false};  ///< an APDU is with the tag
   bool asked_{false};     ///< for an ATR, and not answered yet
   double asked_s_{0.0};
+  bool spoken_to_{false};  ///< the tag in the field has had a command
   double changed_s_{0.0};  ///< when a tag came or went
+  double noticed_s_{0.0};  ///< when pcscd was told of the last that came, or showed that it saw the last go
   double dialled_s_{0.0};
   double dial_again_s_{0.0};
   robot::Bytes in_;

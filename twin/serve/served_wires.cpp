@@ -85,6 +85,12 @@ void ServedWires::pump(double wall_s) {
   for (const auto& wire : wires_) {
     wire->pump(wall_s);
   }
+  if (base_->has_client() && !driven_) {
+    for (CardWire* card : cards_) {
+      card->await_client(wall_s);
+    }
+  }
+  driven_ = base_->has_client();
 }
 
 void ServedWires::watch(std::vector<pollfd>& handles) const {

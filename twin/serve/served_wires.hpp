@@ -64,6 +64,7 @@ class ServedWires {
   std::optional<CardService> card_service_;
   Devices devices_;
   std::vector<bool> had_client_;
+  bool driven_{false};  ///< the base has a client
   bool told_of_baud_{false};
   CardWire::Peer told_of_cards_{CardWire::Peer::kUnknown};
 };

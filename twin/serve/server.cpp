@@ -14,6 +14,7 @@
 #include "twin/serve/devices_file.hpp"
 #include "twin/serve/pacer.hpp"
 #include "twin/serve/serve_folder.hpp"
+#include "twin/serve/serve_tap.hpp"
 #include "twin/serve/served_twin.hpp"
 
 namespace sensotwin::twin {
@@ -60,8 +61,16 @@ struct Server::State {
         folder(settings.folder),
         twin(scene),
         wires(twin, settings.wires, folder.path(), settings.warn),
+        tap(settings.telemetry, scene),
         begun_s(settings.wall_s()),
-        pacer(settings.factor, begun_s) {}
+        pacer(settings.factor, begun_s) {
+    if (settings.truth) {
+      truth.emplace(folder.path() / "truth.csv");
+      truth->append("t_s,x_m,y_m,yaw_rad\n");
+    }
+  }
+
+  void tick();
 
   void tick_or_sleep(double wall_s);
   void announce();
@@ -72,13 +81,25 @@ struct Server::State {
   ServeFolder folder;
   ServedTwin twin;
   ServedWires wires;
+  ServeTap tap;
   double begun_s;
   Pacer pacer;
   std::vector<pollfd> handles;
   std::optional<Devices> announced;
   double waited_s{0.0};
   std::optional<double> waits_since_s;
+  std::optional<OutputFile> truth;
 };
+
+void Server::State::tick() {
+  twin.tick();
+  tap.after_tick(twin);
+  if (truth) {
+    const robot::Pose2& X_WR = twin.machine().world().X_WR();
+    truth->append(fmt::format("{:.3f},{:.5f},{:.5f},{:.5f}\n", robot::to_s(twin.now()), X_WR.p_m.x(),
+                              X_WR.p_m.y(), X_WR.yaw_rad));
+  }
+}
 
 void Server::State::tick_or_sleep(double wall_s) {
   wires.pump(wall_s);
@@ -91,7 +112,7 @@ void Server::State::tick_or_sleep(double wall_s) {
   const bool follows = pacer.follows_client() && wires.base().client_is_up_to_date();
   const double wait_s = waits ? kCardLook_s : pacer.wait_s(wall_s, follows);
   if (wait_s <= 0.0) {
-    twin.tick();
+    tick();
     pacer.tick(wall_s);
     return;
   }
@@ -144,13 +165,18 @@ ServeStatus Server::run(const std::function<void(const ServeStatus&)>& show) {
       show_at_s = wall_s + kShowEvery_s;
       state.announce();
       state.wires.tell(state.settings.say, state.settings.warn);
-      show(state.status());
+      const ServeStatus status = state.status();
+      state.tap.show(state.twin.now(), status);
+      show(status);
     }
   }
   const ServeStatus last = state.status();
   OutputFile file(state.folder.path() / "serve.json");
   file.append(to_json(last, state.scene, state.settings));
   file.finish();
+  if (state.truth) {
+    state.truth->finish();
+  }
   return last;
 }
 

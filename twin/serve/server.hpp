@@ -9,6 +9,7 @@
 #include <string_view>
 #include <vector>
 
+#include "robot/telemetry/telemetry_hub.hpp"
 #include "twin/scene/scene.hpp"
 #include "twin/serve/served_wires.hpp"
 
@@ -20,7 +21,10 @@ struct ServerSettings {
   std::optional<double> factor{1.0};  ///< simulated seconds a real second; none: as the client follows
   WireSettings wires{};
   bool wait_for_cards{false};  ///< the world stands still until pcscd has noticed that a tag came or went
+  bool truth{false};           ///< truth.csv in the folder: where the robot is, every tick
   std::optional<double> end_after_sim_s{};  ///< none: until it is told to stop
+  /// What a monitor is told; none: there is none. Outlives the server.
+  robot::TelemetryHub* telemetry{nullptr};
   /// main's clock, s.
   std::function<double()> wall_s;
   /// Asked some hundred times a second; false ends it in order.

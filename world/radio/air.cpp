@@ -20,10 +20,6 @@ constexpr double kLuck = 6.0;
 /// A WaveField is bounded by so many sigma.
 constexpr double kFieldBound = 4.0;
 
-/// Image sources: walls 2 to 5 m from the tag (algorithms study, A.3), so the images twice as far.
-constexpr double kWallNear_m = 2.0;
-constexpr double kWallFar_m = 5.0;
-
 /// n of cos^n that is one half at half the beam's width.
 double exponent_of(double beam_width_rad) {
   return std::log(0.5) / std::log(std::cos(0.5 * beam_width_rad));
@@ -75,7 +71,7 @@ Air::Air(const RadioWorld& world, const robot::RandomStream& radio_random)
 
 void Air::add_images(const Ceiling& tag, robot::RandomStream random) {
   for (int i = 0; i < radio_.images; ++i) {
-    const double away_m = 2.0 * random.uniform(kWallNear_m, kWallFar_m);
+    const double away_m = 2.0 * random.uniform(0.5 * kNearestImage_m, 0.5 * kFarthestImage_m);
     const double yaw_rad = random.uniform(0.0, 2.0 * robot::kPi);
     images_W_m_.emplace_back(tag.p_W_m + away_m * Eigen::Vector3d{std::cos(yaw_rad), std::sin(yaw_rad), 0.0});
   }

@@ -14,6 +14,11 @@
 
 namespace sensotwin::world {
 
+/// Image sources are level with their tag, in any direction, evenly between these distances: walls 2 to 5 m
+/// from the tag (algorithms study, A.3), the images twice as far.
+inline constexpr double kNearestImage_m = 4.0;
+inline constexpr double kFarthestImage_m = 10.0;
+
 /// Stream of all that is drawn for one ceiling tag, below the radio's own. Named by the tag, not by its place
 /// in the list nor by its EPC, so that neither a further tag nor swapped EPCs change what the others' air
 /// does.

@@ -21,9 +21,6 @@ constexpr double kNoiseMemory = 0.01;
 /// hundred are not taken for noise, and noise three times what it should be is still learned.
 constexpr double kNoiseClip = 9.0;
 constexpr double kMisfitClip = 25.0;  ///< the same of squared innovations: five sigma
-/// The wiring is judged when the reads are this much likelier one way (natural logarithm). Chosen: five reads
-/// that fit nothing at all do not decide.
-constexpr double kWiringEvidence = 25.0;
 /// A tag whose place is not certain yet and runs off beyond this is sought anew. Chosen: beyond a bank's
 /// reach.
 constexpr double kFarthest_m = 14.0;
@@ -114,9 +111,7 @@ void CeilingEstimator::step(const PhaseSensed& sensed) {
   if (sensed.floor_tag) {
     fix_on_floor_tag(*sensed.floor_tag);
   }
-  if (!wiring_known_) {
-    judge_wiring();
-  }
+  watch_wiring();
 }
 
 void CeilingEstimator::use(const UhfRead& read) {
@@ -264,6 +259,7 @@ void CeilingEstimator::drop(int id) {
     release_bank(id);
   }
   ++drops_;
+  doubt_wiring();
 }
 
 void CeilingEstimator::seek_anew(int tag) {
@@ -307,32 +303,6 @@ bool CeilingEstimator::make_room(int wanted) {
   filter_.remove(farthest);
   release_bank(farthest);
   return true;
-}
-
-void CeilingEstimator::judge_wiring() {
-  double evidence = settled_evidence_;
-  for (std::size_t i = 0; i < banks_.size(); ++i) {
-    if (bank_owner_[i] >= 0) {
-      evidence += banks_[i].exchange_evidence();
-    }
-  }
-  if (std::abs(evidence) < kWiringEvidence) {
-    return;
-  }
-  wiring_known_ = true;
-  swapped_ = evidence > 0.0;
-  say(swapped_ ? EstimatorEventKind::kCablesSwapped : EstimatorEventKind::kWiringAsGiven, -1);
-  for (int id = 0; id < tags(); ++id) {
-    if (swapped_ && filter_.knows(id)) {
-      filter_.remove(id);  // of the mirrored world
-    }
-    if (swapped_ || filter_.knows(id)) {
-      release_bank(id);
-    }
-  }
-  if (swapped_) {
-    std::swap(config_.reader.antennas[0].at_R_m, config_.reader.antennas[1].at_R_m);
-  }
 }
 
 void CeilingEstimator::fix_on_floor_tag(const Epc& epc) {

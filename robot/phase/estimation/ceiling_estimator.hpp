@@ -63,6 +63,7 @@ enum class EstimatorEventKind : std::uint8_t {
   kTagMoved,       ///< found again elsewhere
   kCablesSwapped,  ///< ports 1 and 2 are exchanged; taken into account from now on
   kWiringAsGiven,  ///< they are not
+  kWiringDoubted,  ///< too many tags were dropped since they were taken for exchanged: all is sought anew
 };
 
 struct EstimatorEvent {
@@ -138,7 +139,11 @@ class CeilingEstimator {
   void drop(int id);
   void release_bank(int id);
   bool make_room(int wanted);
+  void watch_wiring();
   void judge_wiring();
+  void doubt_wiring();
+  void reopen_wiring();
+  void exchange_mounts();
   void fix_on_floor_tag(const Epc& epc);
   void say(EstimatorEventKind kind, int tag, double distance_m = 0.0);
 
@@ -158,6 +163,8 @@ class CeilingEstimator {
   bool wiring_known_{false};
   bool swapped_{false};
   double settled_evidence_{0.0};  ///< for exchanged cables, of banks that were let go
+  double wiring_doubt_{0.0};      ///< tags dropped of late
+  double doubted_at_m_{0.0};      ///< way_m_ at the last of them
   int drops_{0};
 };
 

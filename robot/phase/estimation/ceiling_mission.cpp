@@ -139,7 +139,7 @@ bool CeilingMission::reached(const PathReference& path) const {
   if (knowledge != TagKnowledge::kTracked && knowledge != TagKnowledge::kKept) {
     return false;
   }
-  if (leg_ == 0 && (*place(0) - origin_M_m_).norm() < kNoLeg_m) {
+  if (leg_ == 0 && spread_m(route_[0]) < kNoLeg_m / 3.0 && (*place(0) - origin_M_m_).norm() < kNoLeg_m) {
     return true;
   }
   if (is_last() || config_.path != TagPathKind::kPolyline) {

@@ -64,6 +64,7 @@ enum class CeilingEventKind : std::uint8_t {
   kReaderSilent,
   kReaderBack,  ///< value: seconds of silence
   kCablesSwapped,
+  kCablesDoubted,
   kBump,
   kSearching,
   kOffPath,  ///< further from the path than the corridor allows, or not known well enough

@@ -57,6 +57,8 @@ const char* say(CeilingEventKind kind) {
       return "the reader is heard again";
     case CeilingEventKind::kCablesSwapped:
       return "the antenna cables are swapped, left for right";
+    case CeilingEventKind::kCablesDoubted:
+      return "perhaps the antenna cables are not swapped after all: seeks all tags anew";
     case CeilingEventKind::kBump:
       return "bumped into something";
     case CeilingEventKind::kSearching:
@@ -87,6 +89,10 @@ void CeilingMission::hear_estimator() {
         note(CeilingEventKind::kCablesSwapped);
         break;
       case EstimatorEventKind::kWiringAsGiven:
+        break;
+      case EstimatorEventKind::kWiringDoubted:
+        note(CeilingEventKind::kCablesDoubted);
+        looks_ = 0;
         break;
     }
   }

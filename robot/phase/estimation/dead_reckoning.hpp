@@ -5,6 +5,7 @@
 #include <cstddef>
 
 #include "robot/base/geometry.hpp"
+#include "robot/base/rolled_wheels.hpp"
 #include "robot/base/time.hpp"
 
 namespace sensotwin::robot {
@@ -14,6 +15,7 @@ namespace sensotwin::robot {
 struct WheelModel {
   double wheel_base_m{0.235};                     ///< Create 2 Open Interface 2016, packet 20
   double metres_per_count{kPi * 0.0720 / 508.8};  ///< same, packet 43
+  double wheel_ratio{1.0};  ///< right wheel's diameter over the left's; metres_per_count is of their mean
   /// What stays the same through a run.
   double scale_sigma{0.01};
   double turn_scale_sigma{0.01};
@@ -35,9 +37,8 @@ struct WheelStep {
 };
 
 [[nodiscard]] inline WheelStep wheel_step(const WheelModel& model, int counts_left, int counts_right) {
-  const double left_m = counts_left * model.metres_per_count;
-  const double right_m = counts_right * model.metres_per_count;
-  return {(left_m + right_m) / 2.0, (right_m - left_m) / model.wheel_base_m};
+  const RolledWheels rolled = rolled_m(model, counts_left, counts_right);
+  return {(rolled.left_m + rolled.right_m) / 2.0, (rolled.right_m - rolled.left_m) / model.wheel_base_m};
 }
 
 /// \returns the pose after driving a short arc, its chord taken

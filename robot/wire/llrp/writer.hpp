@@ -116,7 +116,7 @@ class Writer {
   template <class... T>
   void any_of(const std::vector<std::variant<T...>>& v, std::size_t /*at_least*/ = 0) {
     for (const auto& each : v) {
-      std::visit([this](const auto& what) { one(what); }, each);
+      std::visit([this](const auto& what) { this->one(what); }, each);
     }
   }
   template <class N>

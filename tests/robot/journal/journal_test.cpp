@@ -191,6 +191,19 @@ TEST(Journal, NeverTakesAFlippedBitForABlock) {
   }
 }
 
+// Found by the fuzzer: its writer takes the difference to the block before for a number without a sign.
+TEST(Journal, EndsBeforeABlockWhoseTimeGoesBack) {
+  Kept kept;
+  kept.writer.end_step(at(30));
+  kept.writer.end_step(at(15));
+  kept.writer.end_step(at(45));
+  const auto journal = read_journal(kept.bytes);
+  ASSERT_TRUE(journal);
+  ASSERT_THAT(journal->blocks, SizeIs(1));
+  EXPECT_EQ(journal->blocks[0].at, at(30));
+  EXPECT_GT(journal->bytes_torn, 0u);
+}
+
 TEST(Journal, SurvivesRandomBytes) {
   RandomStream random(11);
   Bytes noise(kJournalMagic.begin(), kJournalMagic.end());

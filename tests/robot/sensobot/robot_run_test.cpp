@@ -6,6 +6,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <poll.h>
+#include <pty.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -55,9 +56,11 @@ class OneTag : public CardSession {
 
 class RunOnATerminal : public ::testing::Test {
  protected:
+  /// Where it runs: as a daemon, or in a window of its own, whose other end is ours.
+  enum class Console { kNone, kOwn };
   /// Starts the program; its output goes to a file.
-  void start(double patience_s = 5.0) {
-    pid_ = ::fork();
+  void start(double patience_s = 5.0, double rate = 1.0, Console console = Console::kNone) {
+    pid_ = console == Console::kOwn ? ::forkpty(&console_, nullptr, nullptr, nullptr) : ::fork();
     if (pid_ != 0) {
       return;
     }
@@ -70,7 +73,7 @@ class RunOnATerminal : public ::testing::Test {
           "version: 1\ndevices: { base: " + roomba.terminal.path() + ", card_readers: [tag] }\nmap_id: 5\n",
           "robot.yaml");
       RunFolder results(folder_.path() / "run", Existing::kRefuse);
-      RobotRunOptions options{.wait_s = 2.0, .patience_s = patience_s};
+      RobotRunOptions options{.rate = rate, .wait_s = 2.0, .patience_s = patience_s};
       options.journal = folder_.path() / "run/journal";
       options.card_service = []() -> Result<std::unique_ptr<CardSession>, CardFault> {
         return std::unique_ptr<CardSession>{std::make_unique<OneTag>()};
@@ -142,6 +145,7 @@ class RunOnATerminal : public ::testing::Test {
   ScratchFolder folder_;
   TerminalRoomba roomba{folder_.path() / "roomba"};
   pid_t pid_{-1};
+  int console_{-1};
   std::optional<int> code_;
 };
 
@@ -175,6 +179,16 @@ TEST_F(RunOnATerminal, StopsTheWheelsWithin100MillisecondsOfTheLastFrame) {
   EXPECT_TRUE(live_until_it_moves());
 }
 
+TEST_F(RunOnATerminal, DrivesInSlowMotionWithoutAStopBetweenTwoSteps) {
+  start(5.0, 0.2);
+  ASSERT_TRUE(live_until_it_moves());
+  // Steps are 75 ms apart now: more than the guardian waits for a sign of life.
+  EXPECT_FALSE(live_until([&] { return !roomba.moves(); }, 0.8));
+  tell(SIGSTOP);
+  EXPECT_LT(ms_until_it_stands(true), 100.0);
+  tell(SIGCONT);
+}
+
 TEST_F(RunOnATerminal, EndsInOrderOnSigtermWithAWholeFolder) {
   start();
   ASSERT_TRUE(live_until_it_moves());
@@ -199,6 +213,16 @@ TEST_F(RunOnATerminal, EndsInOrderWhenItsTerminalGoesAway) {
   EXPECT_LT(ms_until_it_stands(true), 100.0);
   ASSERT_TRUE(live_until([&] { return has_ended(); }));
   EXPECT_EQ(*code_, 143);
+}
+
+TEST_F(RunOnATerminal, EndsInOrderWhenTheWindowThatItRunsInIsClosed) {
+  start(5.0, 1.0, Console::kOwn);
+  ASSERT_TRUE(live_until_it_moves());
+  ::close(console_);
+  EXPECT_LT(ms_until_it_stands(true), 100.0);
+  ASSERT_TRUE(live_until([&] { return has_ended(); }));
+  EXPECT_EQ(*code_, 143);
+  EXPECT_FALSE(roomba.streams());
 }
 
 TEST_F(RunOnATerminal, SaysPlainlyThatThePortVanishedAndDrivesOnWhenItIsBack) {

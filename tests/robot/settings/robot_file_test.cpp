@@ -84,6 +84,42 @@ TEST(RobotFile, TakesItsDevicesFromAnotherFile) {
   std::filesystem::remove_all(folder);
 }
 
+constexpr const char* kHallways = R"(version: 1
+north_deg: 12
+places:
+  a: { E: { to: b, length_m: 4, tags: ["1"] } }
+  b: { W: { to: a, length_m: 4, tags: ["E004015012345678"] } }
+)";
+constexpr const char* kHallwayRobot = R"(version: 1
+devices: { base: /dev/roomba, sensors: /dev/sensors, card_readers: [floor] }
+place: { hallways: plan.yaml }
+mission: { hallway: { from: a, to: b } }
+)";
+
+TEST(RobotFile, TakesTheHallwayMapOfAnotherFileInAndIsShownWithIt) {
+  std::string name = (std::filesystem::temp_directory_path() / "sensotwin-XXXXXX").string();
+  ASSERT_NE(::mkdtemp(name.data()), nullptr);
+  const std::filesystem::path folder{name};
+  std::ofstream(folder / "plan.yaml") << kHallways;
+  const RobotFile robot = read_robot_text(kHallwayRobot, folder / "r.yaml");
+  std::ofstream(folder / "plan.yaml") << "version: 1\nplaces: { a: { X: {} } }\n";
+  try {
+    (void)read_robot_text(kHallwayRobot, folder / "r.yaml");
+    ADD_FAILURE() << "it was read";
+  } catch (const LoadError& error) {
+    EXPECT_THAT(error.what(), HasSubstr("plan.yaml:2:16: error: place.hallways.places.a.X: unknown key"));
+  }
+  std::filesystem::remove_all(folder);
+  ASSERT_EQ(robot.settings.hallways.map.nodes().size(), 2u);
+  // Alone, anywhere: the file it named is not asked for again.
+  const std::string shown = robot_yaml(robot);
+  EXPECT_THAT(shown, HasSubstr("E004015012345678"));
+  const RobotFile again = read_robot_text(shown, "elsewhere.yaml");
+  EXPECT_EQ(again.settings.hallways.north_rad, robot.settings.hallways.north_rad);
+  EXPECT_EQ(hallway_yaml(again.settings.hallways), hallway_yaml(robot.settings.hallways));
+  EXPECT_EQ(robot_yaml(again), shown);
+}
+
 struct Mistake {
   const char* text;
   const char* complaint;

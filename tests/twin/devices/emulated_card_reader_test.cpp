@@ -46,6 +46,28 @@ TEST_F(CardReaderInVirtualTime, GivesTheAnswersThatTheDriverIsTestedWith) {
   }
 }
 
+TEST(CardReaderWithLatency, ReportsATagAWhileAfterItCameAndForgetsItAtOnce) {
+  EmulatedCardReader reader({.exchange = robot::from_s(0.012), .latency = robot::from_s(0.1)},
+                            RandomStream{1});
+  TagMemory tag = transcript_tag();
+  const auto at = [&](double t_s, TagMemory* in_field) {
+    reader.step(Instant{robot::from_s(t_s)}, in_field);
+    return static_cast<robot::CardLink&>(reader).presence();
+  };
+  EXPECT_EQ(at(1.0, nullptr), CardPresence::kEmpty);
+  EXPECT_EQ(at(1.015, &tag), CardPresence::kEmpty);
+  EXPECT_EQ(at(1.105, &tag), CardPresence::kEmpty);
+  EXPECT_FALSE(static_cast<robot::CardLink&>(reader).begin(kSaysItsUid.command));
+  EXPECT_EQ(at(1.12, &tag), CardPresence::kPresent);
+  EXPECT_TRUE(static_cast<robot::CardLink&>(reader).begin(kSaysItsUid.command));
+  EXPECT_EQ(at(1.135, &tag), CardPresence::kPresent);
+  EXPECT_EQ(at(1.15, nullptr), CardPresence::kEmpty);
+  // One that is gone before it has answered was never there.
+  EXPECT_EQ(at(2.0, &tag), CardPresence::kEmpty);
+  EXPECT_EQ(at(2.09, nullptr), CardPresence::kEmpty);
+  EXPECT_EQ(at(2.12, nullptr), CardPresence::kEmpty);
+}
+
 TEST_F(CardReaderInVirtualTime, AnswersOneExchangeLaterAndNotBefore) {
   TagMemory tag = transcript_tag();
   step(&tag);
@@ -200,6 +222,18 @@ TEST_F(CardReaderInVirtualTime, ADelayMakesItSlowAndALongOneMakesItTimeOut) {
   const auto answer = reader_.poll();
   ASSERT_TRUE(answer);
   EXPECT_EQ(answer->error(), CardError::kTimeout);
+}
+
+TEST_F(CardReaderInVirtualTime, UnpluggedInAnExchangeThatTakesNoTimeHasWrittenNothing) {
+  EmulatedCardReader instant{CardReaderSettings{}, robot::RandomStream{1}};
+  world::TagMemory tag = transcript_tag();
+  instant.step(now_, &tag);
+  ASSERT_TRUE(instant.begin(robot::encode(robot::UpdateBinary{0, robot::Bytes(4, 0xEE)})));
+  instant.unplug();
+  EXPECT_EQ(record_bytes(tag), record_bytes(transcript_tag()));
+  const auto answer = instant.poll();
+  ASSERT_TRUE(answer && !*answer);
+  EXPECT_EQ(answer->error(), robot::CardError::kReaderGone);
 }
 
 TEST_F(CardReaderInVirtualTime, NeverCrashesOnRandomCommands) {

@@ -334,6 +334,17 @@ TEST_F(EmulatedUhfReaderTest, LosesKeepalivesToo) {
   EXPECT_LT(small.sent().size(), 1200u);
 }
 
+TEST_F(EmulatedUhfReaderTest, LosesWordOfSecondClientsToo) {
+  UhfReaderSettings settings = kTwoChannels;
+  settings.buffer_bytes = 1000;
+  UhfBench small{settings};
+  ASSERT_TRUE(small.reader.connect());
+  for (int i = 0; i < 1000; ++i) {
+    EXPECT_FALSE(small.reader.connect());
+  }
+  EXPECT_LT(small.sent().size(), 1200u);
+}
+
 TEST_F(EmulatedUhfReaderTest, NeverCrashesOnRandomBytesAndTakesTheNextClient) {
   robot::RandomStream random{21};
   for (int round = 0; round < 3000; ++round) {

@@ -160,6 +160,23 @@ TEST(FaultyWires, ThatLoseBytesBothWaysCostTimeAndNoTile) {
   EXPECT_EQ(lesson.verdict().wrong, 0);
 }
 
+TEST(FaultyWires, ThatLoseOneByteInAHundredBothWaysCostTimeAndNoTile) {
+  FaultyLesson lesson({.base = {.lose_in = 0.01, .lose_out = 0.01}, .compass = {.lose_in = 0.01}});
+  lesson.run_until(900.0);
+  EXPECT_GT(lesson.base_health().frames_corrupt, lesson.base_health().frames_good);
+  EXPECT_EQ(lesson.verdict().mapped, 16);
+  EXPECT_EQ(lesson.verdict().wrong, 0);
+}
+
+// Some of these frames pass their sum: a driver that believed them would map 1 tile of 16, and 13 wrongly.
+TEST(FaultyWires, ThatBendOneByteInAHundredCostTimeAndNoTile) {
+  FaultyLesson lesson({.base = {.flip_in = 0.01}, .compass = {.flip_in = 0.01}});
+  lesson.run_until(900.0);
+  EXPECT_GT(lesson.base_health().frames_corrupt, lesson.base_health().frames_good);
+  EXPECT_EQ(lesson.verdict().mapped, 16);
+  EXPECT_EQ(lesson.verdict().wrong, 0);
+}
+
 TEST(FaultyWires, ThatSpoilAFifthOfTheCardExchangesCostNoTile) {
   FaultyLesson lesson({.reader = 0.2});
   lesson.run_until(900.0);

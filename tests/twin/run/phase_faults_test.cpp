@@ -179,8 +179,9 @@ TEST(FaultyRadio, WithThreeTimesTheNoiseArrives) {
 }
 
 /// What is said in one run of a variant of the hallway, whose expectations of each run it must keep.
-std::vector<std::string> said_in(const std::string& variant, std::uint64_t seed) {
-  const Scene scene = read_scene(kSource / "scenes/hallway.yaml", {.seed = seed, .variant = variant});
+std::vector<std::string> said_in(const std::string& variant, std::uint64_t seed,
+                                 const std::string& name = "hallway") {
+  const Scene scene = read_scene(kSource / "scenes" / (name + ".yaml"), {.seed = seed, .variant = variant});
   const TemporaryFolder folder;
   const Summary summary = phase_run(folder / "run", scene);
   EXPECT_EQ(summary.path->wall_contacts, 0) << variant;
@@ -204,6 +205,14 @@ TEST(FaultyHallway, WithARealReaderThatFallsSilentIsSaidAndDoesNoHarm) {
 
 TEST(FaultyHallway, WithARealReaderWhoseCablesAreSwappedIsFoundOut) {
   EXPECT_THAT(said_in("fault_cables", 1), testing::IsSupersetOf({"cables_swapped", "arrived"}));
+}
+
+// Echoes of these two rooms fit exchanged cables for a while; every tag is then dropped again and again.
+TEST(RealReader, WhoseCablesAreTakenForSwappedByMistakeIsDoubtedAndBothTagsAreReached) {
+  for (const std::uint64_t seed : {20u, 62u}) {
+    EXPECT_THAT(said_in("r420", seed, "line_at_90"),
+                testing::IsSupersetOf({"cables_swapped", "cables_doubted", "arrived"}));
+  }
 }
 
 TEST(FaultyHallway, WithATagThatFellOffEndsAtTheOneBeforeIt) {

@@ -67,6 +67,20 @@ TEST_F(RecordedRun, LeavesAMapThatLoadsBackWithTheAreaOfItsTiles) {
   EXPECT_EQ(map.at(robot::Vec2{0.0, 0.0}), Cell::kFree);
 }
 
+TEST_F(RecordedRun, ListsEveryMappedTileWithItsTagOnceAndBlack) {
+  const auto lines = lines_of(content_of(run() / "tiles.csv"));
+  EXPECT_EQ(lines.at(0), "column,row,state,tag");
+  EXPECT_EQ(lines.size(), static_cast<std::size_t>(result().tiles_mapped) + 1);
+  std::set<std::string> tags;
+  for (std::size_t i = 1; i < lines.size(); ++i) {
+    const auto cells = cells_of(lines[i]);
+    ASSERT_EQ(cells.size(), 4u) << lines[i];
+    EXPECT_EQ(cells[2], "black") << lines[i];
+    EXPECT_EQ(cells[3].substr(0, 4), "E004") << "ICODE: " << lines[i];
+    EXPECT_TRUE(tags.insert(cells[3]).second) << "twice: " << lines[i];
+  }
+}
+
 TEST_F(RecordedRun, WritesATraceWhoseEveryRowHasEveryColumn) {
   const auto lines = lines_of(content_of(run() / "trace.csv"));
   const auto header = cells_of(lines.at(0));
@@ -135,7 +149,7 @@ TEST(InterruptedRun, EndsWhenToldToAndLeavesAShorterValidFolder) {
   EXPECT_EQ(verdict_of(summary), "interrupted");
   EXPECT_LT(summary.sim_s, 200.0);
   const auto files = files_in(folder / "run");
-  EXPECT_EQ(files.size(), 5u) << "summary, trace, events and the map in two files; no pictures";
+  EXPECT_EQ(files.size(), 6u) << "summary, trace, events and the map in three files; no pictures";
   EXPECT_EQ(files.at("trace.csv").back(), '\n');
   EXPECT_EQ(files.at("events.jsonl").back(), '\n');
 }

@@ -4,6 +4,8 @@
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+#include <netinet/in.h>
+#include <netinet/tcp.h>
 #include <sys/socket.h>
 
 #include <optional>
@@ -43,6 +45,13 @@ class Vpcd {
     listener_.reset();
   }
   void hang_up() { card_.reset(); }
+  /// The kernel takes some kilobytes for us instead of megabytes, and sends what we say at once.
+  void keep_little_unread() const {
+    const int bytes = 200'000;
+    ::setsockopt(card_.get(), SOL_SOCKET, SO_RCVBUF, &bytes, sizeof bytes);
+    const int on = 1;
+    ::setsockopt(card_.get(), IPPROTO_TCP, TCP_NODELAY, &on, sizeof on);
+  }
 
  private:
   Endpoint at_;
@@ -163,7 +172,11 @@ TEST_F(ServedCard, VanishesWithTheTagAndAppearsWithTheNext) {
 }
 
 TEST_F(ServedCard, KnowsWhenPcscdHasNoticed) {
+  EXPECT_FALSE(wire_.is_settled(now_s_)) << "nobody knows whether there is a pcscd";
   put_in();
+  EXPECT_FALSE(wire_.is_settled(now_s_)) << "its client has not spoken to the tag";
+  EXPECT_TRUE(wire_.is_settled(now_s_ + 0.2)) << "and perhaps never will";
+  EXPECT_EQ(ask({0xFF, 0xCA, 0x00, 0x00, 0x00}).size(), 12u);
   EXPECT_TRUE(wire_.is_settled(now_s_));
   field_ = nullptr;
   tick();
@@ -178,6 +191,17 @@ TEST_F(ServedCard, KnowsWhenPcscdHasNoticed) {
   EXPECT_FALSE(wire_.is_settled(now_s_));
   ASSERT_TRUE(vpcd_.accept());
   EXPECT_EQ(ask({4}).size(), 22u);
+  EXPECT_FALSE(wire_.is_settled(now_s_));
+  EXPECT_TRUE(until([&] { return wire_.is_settled(now_s_); }));
+}
+
+TEST_F(ServedCard, WaitsForTheFirstWordOfAClientThatHasJustCome) {
+  put_in();
+  EXPECT_TRUE(until([&] { return wire_.is_settled(now_s_); })) << "nobody drives";
+  wire_.await_client(now_s_);
+  EXPECT_FALSE(wire_.is_settled(now_s_ + 0.9));
+  EXPECT_TRUE(wire_.is_settled(now_s_ + 1.1)) << "it does not care for tags";
+  EXPECT_EQ(ask({0xFF, 0xCA, 0x00, 0x00, 0x00}).size(), 12u);
   EXPECT_TRUE(wire_.is_settled(now_s_));
 }
 
@@ -240,6 +264,27 @@ TEST_F(ServedCard, ComesBackAfterPcscdWasRestarted) {
   put_in();
   vpcd_.hang_up();
   EXPECT_TRUE(until([&] { return vpcd_.accept(); }));
+  EXPECT_EQ(ask({4}).size(), 22u);
+}
+
+// TCP sees to it: a peer whose buffer is full is not heard either, so nothing is answered that is not taken.
+TEST_F(ServedCard, NeitherStallsNorGrowsForAPeerThatAsksOnAndOnAndNeverReads) {
+  put_in();
+  vpcd_.keep_little_unread();
+  std::uint64_t said = wire_.tally().bytes_in;
+  int quiet_ticks = 0;
+  for (int i = 0; i < 1'000'000 && quiet_ticks < 1000; ++i) {
+    quiet_ticks = wire_.tally().bytes_in == said ? 0 : quiet_ticks + 1;
+    if (quiet_ticks == 0) {
+      vpcd_.say({0xFF, 0xB0, 0, 0, 0});  // the whole memory: 116 bytes for 7
+      said += 7;
+    }
+    tick();
+  }
+  EXPECT_EQ(quiet_ticks, 1000) << "it is listened to for ever";
+  EXPECT_LT(wire_.tally().bytes_out, 2'000'000u) << "what the kernel took";
+  vpcd_.hang_up();
+  ASSERT_TRUE(until([&] { return vpcd_.accept(); })) << "the next one is served";
   EXPECT_EQ(ask({4}).size(), 22u);
 }
 

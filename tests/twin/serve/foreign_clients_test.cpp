@@ -85,12 +85,12 @@ TEST(ForeignClients, PcscScanAndOpenscToolSeeTheTagUnderTheRobotComeAndGo) {
 }
 
 TEST_F(ServedHallway, LetsLlrpjsTakeInventory) {
-  if (shell(folder_, "NODE_PATH=\"$(npm root -g):$NODE_PATH\" node -e 'require(\"llrpjs\")'") != 0) {
-    GTEST_SKIP() << "llrpjs is not here: npm install -g llrpjs";
+  const std::string client = (kSource / "tests/twin/serve/llrpjs").string();
+  if (shell(folder_, "'" + client + "/install' '" + NPM_FOLDER + "'") != 0) {
+    GTEST_SKIP() << "llrpjs is not to be had: " << content_of(folder_ / "said");
   }
-  const int code = shell(folder_, "NODE_PATH=\"$(npm root -g):$NODE_PATH\" node '" +
-                                      (kSource / "tests/twin/serve/llrpjs_inventory.js").string() + "' " +
-                                      at_.host + " " + std::to_string(at_.port));
+  const int code = shell(folder_, std::string{"NODE_PATH='"} + NPM_FOLDER + "/node_modules' node '" + client +
+                                      "/inventory.js' " + at_.host + " " + std::to_string(at_.port));
   EXPECT_EQ(code, 0) << content_of(folder_ / "said");
   EXPECT_THAT(content_of(folder_ / "printed"), HasSubstr("300000000000000000000001\n"));
 }

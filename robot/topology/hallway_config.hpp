@@ -58,6 +58,11 @@ struct HallwayConfig {
   /// plan.
   double length_slack{0.10};
   double length_slack_m{1.0};
+  /// A place that the sonars see so far from where the map and the wheels have it is not believed before its
+  /// tag is read, and one that should have come by so much way is looked for behind. Chosen: half of the
+  /// above.
+  double sure_slack{0.05};
+  double sure_slack_m{0.5};
   /// Without a place for so much way beyond what the map says, it is lost. Chosen.
   double overshoot_m{6.0};
   /// The longest way to a place when the map gives no length. Chosen: a long hallway.

@@ -34,6 +34,8 @@ enum class HallwayEventKind : std::uint8_t {
   kNoWay,          ///< no free hallway leads to the goal: the mission ends here
   kOnlyByUnknown,  ///< as kNoWay, but a hallway whose end is unknown might, if it may be tried: the end
   kLost,           ///< no place where there has to be one, and none found again: the mission ends here
+  kTurnedByHand,  ///< the compass says that somebody turned it where it stood; value: by how much to the left
+  kLooksAgain,    ///< perhaps at this place; it goes back for the tag to make sure
 };
 
 /// The event as a person reads it, in lower case, without a full stop.
@@ -77,17 +79,21 @@ enum class HallwayEventKind : std::uint8_t {
       return "only an unknown hallway might lead to the goal, stopped";
     case HallwayEventKind::kLost:
       return "lost, stopped";
+    case HallwayEventKind::kTurnedByHand:
+      return "somebody turned it, the compass says";
+    case HallwayEventKind::kLooksAgain:
+      return "not sure of the place, goes back for its tag";
   }
   return "";
 }
 
 /// For machines: snake case.
 [[nodiscard]] constexpr std::string_view name_of(HallwayEventKind kind) {
-  constexpr std::array<std::string_view, 19> kNames{
-      "placed",     "route",        "left",      "tag",     "strange_tag", "arrived",
-      "tag_missed", "turned_wrong", "elsewhere", "waiting", "went_round",  "blocked",
-      "bumped",     "explored",     "map_whole", "goal",    "no_way",      "only_by_unknown",
-      "lost"};
+  constexpr std::array<std::string_view, 21> kNames{
+      "placed",     "route",          "left",       "tag",     "strange_tag", "arrived",
+      "tag_missed", "turned_wrong",   "elsewhere",  "waiting", "went_round",  "blocked",
+      "bumped",     "explored",       "map_whole",  "goal",    "no_way",      "only_by_unknown",
+      "lost",       "turned_by_hand", "looks_again"};
   return kNames[static_cast<std::size_t>(kind)];
 }
 

@@ -10,6 +10,9 @@ namespace {
 
 /// Half hallways that may be looked for a first tag in, each way. Chosen: there and back once, and once more.
 constexpr int kSearches = 4;
+/// Times that it goes back for a tag in a mission before it gives up. Chosen: one tag in ten missed makes one
+/// or two.
+constexpr int kLooks = 8;
 
 }  // namespace
 
@@ -102,6 +105,12 @@ Task<bool> HallwayMission::go_on(NodeIndex from, CompassPoint exit, std::optiona
     passage = co_await walk_.along(way_back, *this);
     status_.heading_for = from;
   }
+  while (passage.end == PassageEnd::kArrived && passage.doubtful) {
+    if (++looks_ > kLooks) {
+      co_return false;
+    }
+    passage = co_await look_again(passage);
+  }
   if (passage.end != PassageEnd::kArrived) {
     // Nothing where a place should be: any tag will do, and it may have gone past the one it seeks.
     const double back_rad = wrap_angle(walk_.tracker().axis_rad().value_or(leg.axis_rad) + kPi);
@@ -129,11 +138,35 @@ void HallwayMission::learn(const HallwayLeg& leg, const HallwayPassage& passage)
   say(HallwayEventKind::kExplored, passage.at.node, passage.at.from, length_m);
 }
 
+Task<HallwayPassage> HallwayMission::look_again(HallwayPassage doubted) {
+  say(HallwayEventKind::kLooksAgain, doubted.at.node, doubted.at.from);
+  const double home_rad = wrap_angle(*walk_.tracker().axis_rad() + kPi);
+  const Side& side = config_.map.node(doubted.at.node).side(doubted.at.from);
+  co_await walk_.pilot().advance(doubted.to_middle_m);
+  co_await walk_.pilot().turn_to(home_rad);
+  HallwayLeg back;
+  back.heading = doubted.at.from;
+  back.axis_rad = home_rad;
+  if (side.hallway == Hallway::kLeadsTo) {
+    back.to = side.to;
+    back.length_m = doubted.way_m + doubted.to_middle_m;
+  }
+  doubted_ = doubted.at;
+  const HallwayPassage passage = co_await walk_.along(back, *this);
+  doubted_.reset();
+  co_return passage;
+}
+
 Task<> HallwayMission::come_to(HallwayPassage passage, std::optional<NodeIndex> meant) {
   if (meant && *meant != passage.at.node) {
     say(HallwayEventKind::kElsewhere, passage.at.node, passage.at.from);
   }
-  co_await walk_.pilot().advance(passage.to_middle_m);
+  if (passage.to_middle_m < 0.0) {
+    const double back_rad = wrap_angle(*walk_.tracker().axis_rad() + kPi);
+    walk_.tracker().enter(back_rad);
+    co_await walk_.pilot().face_axis();
+  }
+  co_await walk_.pilot().advance(std::abs(passage.to_middle_m));
   status_.place = passage.at.node;
   heading_ = opposite(passage.at.from);
   status_.leaving.reset();
@@ -148,8 +181,8 @@ std::optional<HallwayPassage> HallwayMission::by_tag(HallwayLeg& leg, TagNumber 
   }
   say(HallwayEventKind::kTag, met->node, met->from);
   const double to_middle_m = tag_to_middle_m(met->node, met->from);
-  const bool just_left = leg.from == met->node && walk_.tracker().way_m() < 2.0 * to_middle_m;
-  const bool ran_over = leg.to == met->node && leg.length_m && walk_.tracker().way_m() > *leg.length_m &&
+  const bool just_left = leg.from == met->node && walk_.tracker().along_m() < 2.0 * to_middle_m;
+  const bool ran_over = leg.to == met->node && leg.length_m && walk_.tracker().along_m() > *leg.length_m &&
                         met->from != opposite(leg.heading);
   const bool leaving = just_left || ran_over || met->from == leg.heading;
   const CompassPoint heading = leaving ? met->from : opposite(met->from);
@@ -163,6 +196,10 @@ std::optional<HallwayPassage> HallwayMission::by_tag(HallwayLeg& leg, TagNumber 
   if (!leaving) {
     say(HallwayEventKind::kArrived, met->node, met->from);
     return HallwayPassage{PassageEnd::kArrived, *met, to_middle_m + walk_.config().tag_reach_m, 0.0};
+  }
+  if (heading == leg.heading && run_past(leg, *met)) {
+    say(HallwayEventKind::kArrived, met->node, met->from);
+    return HallwayPassage{PassageEnd::kArrived, *met, walk_.config().tag_reach_m - to_middle_m, 0.0};
   }
   if (heading != leg.heading || leg.from != met->node) {
     // The place ahead is another one than was thought.
@@ -178,13 +215,44 @@ std::optional<HallwayPassage> HallwayMission::by_tag(HallwayLeg& leg, TagNumber 
   return std::nullopt;
 }
 
+bool HallwayMission::run_past(const HallwayLeg& leg, const Arrival& met) const {
+  if (doubted_ && doubted_->node == met.node && doubted_->from == met.from) {
+    return true;
+  }
+  if (leg.to != met.node || leg.from == met.node) {
+    return false;
+  }
+  const auto route = plan_route(config_.map, met.node, config_.goal, blocked_);
+  return !route || route->steps.empty() || route->steps.front().exit != met.from;
+}
+
 std::optional<HallwayPassage> HallwayMission::by_sonar(const HallwayLeg& leg) {
   const HallwayConfig& robot = walk_.config();
-  const double way_m = walk_.tracker().way_m();
+  const double way_m = walk_.tracker().along_m();
   if (!leg.to ||
       (leg.length_m && way_m < *leg.length_m * (1.0 - robot.length_slack) - robot.length_slack_m)) {
     return std::nullopt;
   }
+  std::optional<double> to_middle_m = seen_ahead_m(leg);
+  bool doubtful = walk_.hindered() || walk_.tracker().compass_astray();
+  if (leg.length_m) {
+    const double sure_m = *leg.length_m * robot.sure_slack + robot.sure_slack_m;
+    if (!to_middle_m && way_m > *leg.length_m + sure_m) {
+      to_middle_m = 0.0;  // no sonar sees it, and it has to be behind
+    }
+    doubtful = doubtful || std::abs(way_m + to_middle_m.value_or(0.0) - *leg.length_m) > sure_m;
+  }
+  if (!to_middle_m) {
+    return std::nullopt;
+  }
+  const Arrival arrival{*leg.to, opposite(leg.heading)};
+  if (!doubtful) {
+    say(HallwayEventKind::kTagMissed, arrival.node, arrival.from);
+  }
+  return HallwayPassage{PassageEnd::kArrived, arrival, *to_middle_m, 0.0, doubtful};
+}
+
+std::optional<double> HallwayMission::seen_ahead_m(const HallwayLeg& leg) const {
   const auto leads = [&](int turn) {
     return config_.map.node(*leg.to).side(turned_right(leg.heading, turn)).hallway != Hallway::kNone;
   };
@@ -193,12 +261,7 @@ std::optional<HallwayPassage> HallwayMission::by_sonar(const HallwayLeg& leg) {
   if (!to_middle_m && !leads(0)) {
     to_middle_m = walk_.end_ahead_m();
   }
-  if (!to_middle_m) {
-    return std::nullopt;
-  }
-  const Arrival arrival{*leg.to, opposite(leg.heading)};
-  say(HallwayEventKind::kTagMissed, arrival.node, arrival.from);
-  return HallwayPassage{PassageEnd::kArrived, arrival, *to_middle_m, 0.0};
+  return to_middle_m;
 }
 
 HallwayLeg HallwayMission::leg_of(NodeIndex from, CompassPoint exit) const {

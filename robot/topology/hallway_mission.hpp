@@ -40,8 +40,10 @@ struct HallwayStatus {
 /// the map has one; a tag of another place than was meant sets the place right and plans anew; what stands in
 /// the way is waited for, gone round where there is room, and else the hallway is given up and another way
 /// planned; where only hallways might lead to the goal whose ends the map does not know, they are tried,
-/// nearest first, and the map is completed by what is found. Each end that is not the goal is standing still
-/// with an entry in the log.
+/// nearest first, and the map is completed by what is found. A place that the sonars alone see is believed
+/// where the map's length agrees with the wheels, and the compass, and nothing stood in the way; else it goes
+/// back for the tag, so that it never says that it arrived where it did not. Each end that is not the goal is
+/// standing still with an entry in the log.
 ///
 /// Neither copies nor moves: its behaviours hold references into it.
 class HallwayMission final : private PlaceWatcher {
@@ -78,9 +80,16 @@ class HallwayMission final : private PlaceWatcher {
   /// not tried again.
   void learn(const HallwayLeg& leg, const HallwayPassage& passage);
   Task<> come_to(HallwayPassage passage, std::optional<NodeIndex> meant);
+  /// Back along the hallway for the tag of a place that it is perhaps at, and on to the place behind if there
+  /// is none.
+  Task<HallwayPassage> look_again(HallwayPassage doubted);
 
   std::optional<HallwayPassage> by_tag(HallwayLeg& leg, TagNumber tag) override;
   std::optional<HallwayPassage> by_sonar(const HallwayLeg& leg) override;
+  /// A tag says that it goes away from a place: whether it is there all the same, the place behind it.
+  [[nodiscard]] bool run_past(const HallwayLeg& leg, const Arrival& met) const;
+  /// As by_sonar(), of the sonars alone: how far it is to the middle of the place ahead.
+  [[nodiscard]] std::optional<double> seen_ahead_m(const HallwayLeg& leg) const;
   [[nodiscard]] HallwayLeg leg_of(NodeIndex from, CompassPoint exit) const;
   /// From the tags on that side of a place to its middle.
   [[nodiscard]] double tag_to_middle_m(NodeIndex node, CompassPoint side) const;
@@ -93,6 +102,8 @@ class HallwayMission final : private PlaceWatcher {
   HallwayStatus status_;
   BlockedHallways blocked_;
   CompassPoint heading_{CompassPoint::kNorth};  ///< at the last place
+  std::optional<Arrival> doubted_;              ///< whose tag it goes back for
+  int looks_{0};                                ///< times that it did
   Task<> script_;
 };
 

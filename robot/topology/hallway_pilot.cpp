@@ -99,6 +99,11 @@ Task<> HallwayPilot::turn_to(double heading_rad) {
   co_await turn_by_heading(heading_rad);
 }
 
+Task<> HallwayPilot::face_axis() {
+  co_await brake();
+  co_await turn_by_heading(*tracker_.axis_rad());
+}
+
 Task<> HallwayPilot::advance(double way_m) {
   const double end_m = tracker_.way_m() + way_m;
   for (;;) {

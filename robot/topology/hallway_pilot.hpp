@@ -25,6 +25,8 @@ class HallwayPilot {
   Task<> brake();
   /// On the spot, until it heads there. \param heading_rad  counter-clockwise from the plan's north
   Task<> turn_to(double heading_rad);
+  /// Along the hallway again, that it goes on along.
+  Task<> face_axis();
   /// So far along the hallway, or until something is nearer ahead than the shell's own clearance.
   Task<> advance(double way_m);
   /// Straight back, blind.

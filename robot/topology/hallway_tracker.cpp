@@ -16,6 +16,15 @@ namespace {
 constexpr double kCompassGain = 0.02;
 /// A compass so far off is disturbed. Chosen: 20 times its noise.
 constexpr double kDisturbed_rad = rad_from_deg(20.0);
+/// Nobody drives between two readings who has moved less: at 0.3 m/s it is 3 cm. Chosen: below that, above
+/// what it does while somebody lets go of it.
+constexpr double kStood_m = 0.02;
+/// So many readings that agree to so much are a direction, within so much way, and a hand turns by more than
+/// so much. Chosen: half a second; ten times the noise; a second's way; half of a quarter turn.
+constexpr std::size_t kSteadyReadings = 5;
+constexpr double kSteady_rad = rad_from_deg(10.0);
+constexpr double kSteadyWay_m = 0.6;
+constexpr double kByHand_rad = rad_from_deg(45.0);
 /// Of what the compass says beyond the heading, in the mean that walls are judged by. Chosen: two seconds.
 constexpr double kCompassMean = 0.05;
 /// Walls that converge by more say nothing of the hallway's direction. Chosen: twice the slope's noise.
@@ -66,6 +75,7 @@ HallwayTracker::HallwayTracker(const HallwayConfig& config)
 void HallwayTracker::enter(double axis_rad) {
   axis_rad_ = axis_rad;
   way_m_ = 0.0;
+  along_m_ = 0.0;
   measured_ = false;
   flanks_ = {};
 }
@@ -74,6 +84,8 @@ void HallwayTracker::correct(double left_rad) {
   if (heading_rad_) {
     heading_rad_ = wrap_angle(*heading_rad_ + left_rad);
     compass_ahead_rad_ = 0.0;
+    agreed_m_.reset();
+    stood_ = false;
   }
 }
 
@@ -83,9 +95,12 @@ double HallwayTracker::off_axis_rad() const {
 
 void HallwayTracker::step(const HallwaySensed& sensed) {
   const auto [left_m, right_m] = rolled_m(config_, sensed.counts_left, sensed.counts_right);
-  way_m_ += 0.5 * (left_m + right_m);
+  const double driven_m = 0.5 * (left_m + right_m);
+  way_m_ += driven_m;
+  path_m_ += std::abs(driven_m);
   if (axis_rad_ && heading_rad_) {
-    const double leftwards_m = 0.5 * (left_m + right_m) * std::sin(off_axis_rad());
+    along_m_ += driven_m * std::cos(off_axis_rad());
+    const double leftwards_m = driven_m * std::sin(off_axis_rad());
     flanks_[0].moved_m += leftwards_m;
     flanks_[1].moved_m -= leftwards_m;
   }
@@ -110,6 +125,27 @@ void HallwayTracker::take_compass(double compass_rad) {
   if (std::abs(off_rad) < kDisturbed_rad) {
     heading_rad_ = wrap_angle(*heading_rad_ + kCompassGain * off_rad);
     compass_ahead_rad_ += kCompassMean * (off_rad - compass_ahead_rad_);
+    agreed_m_ = path_m_;
+    agreed_rad_ = off_rad;
+    astray_readings_ = 0;
+  } else {
+    take_astray(off_rad);
+  }
+}
+
+void HallwayTracker::take_astray(double off_rad) {
+  if (astray_readings_ == 0) {
+    stood_ = agreed_m_ && path_m_ - *agreed_m_ < kStood_m;
+  }
+  const bool same = astray_readings_ > 0 && std::abs(wrap_angle(off_rad - astray_rad_)) < kSteady_rad;
+  astray_readings_ = same ? astray_readings_ + 1 : 1;
+  astray_rad_ = same ? astray_rad_ : off_rad;
+  const double turned_rad = wrap_angle(off_rad - agreed_rad_);
+  if (stood_ && astray_readings_ >= kSteadyReadings && path_m_ - *agreed_m_ < kSteadyWay_m &&
+      std::abs(turned_rad) > kByHand_rad) {
+    correct(turned_rad);
+    astray_readings_ = 0;
+    turned_rad_ = turned_rad;
   }
 }
 

@@ -4,6 +4,7 @@
 #include <array>
 #include <cstddef>
 #include <optional>
+#include <utility>
 
 #include "robot/topology/hallway_config.hpp"
 
@@ -30,7 +31,9 @@ struct WallSide {
 /// before that, the robot stays as far from it as it was.
 ///
 /// A wall that is seen over a stretch of way without a jump says by how much the robot's way is off it; so do
-/// both. A compass far off what the wheels say is near iron and is not believed.
+/// both. A compass far off what the wheels say is near iron and is not believed; but where the robot stands
+/// the field does not change, and a compass that goes over to another direction there says that somebody
+/// turned the robot.
 class HallwayTracker {
  public:
   explicit HallwayTracker(const HallwayConfig& config);
@@ -49,8 +52,13 @@ class HallwayTracker {
   /// Of the heading, counter-clockwise from the axis. \pre enter() and a heading
   [[nodiscard]] double off_axis_rad() const;
   [[nodiscard]] std::optional<double> axis_rad() const { return axis_rad_; }
-  /// Since enter().
+  /// Since enter(): driven, and of that along the hallway.
   [[nodiscard]] double way_m() const { return way_m_; }
+  [[nodiscard]] double along_m() const { return along_m_; }
+  /// Whether the compass says another thing than wheels and walls at present.
+  [[nodiscard]] bool compass_astray() const { return astray_readings_ > 0; }
+  /// By how much to the left somebody has turned it where it stood, once each time.
+  [[nodiscard]] std::optional<double> take_turned_rad() { return std::exchange(turned_rad_, std::nullopt); }
   [[nodiscard]] const WallSide& left() const { return flanks_[0].wall; }
   [[nodiscard]] const WallSide& right() const { return flanks_[1].wall; }
   /// Free way ahead of the shell, as far as the forward sonars see; nothing: no echo.
@@ -83,6 +91,8 @@ class HallwayTracker {
   };
 
   void take_compass(double compass_rad);
+  /// \param off_rad  of a reading far off the heading
+  void take_astray(double off_rad);
   void take_ranges(const SonarRanges& ranges_m);
   void take_ahead(const SonarRanges& ranges_m);
   void measure_width();
@@ -100,6 +110,14 @@ class HallwayTracker {
   double compass_ahead_rad_{0.0};  ///< mean of what the compass says beyond the heading
   std::optional<double> axis_rad_;
   double way_m_{0.0};
+  double along_m_{0.0};
+  double path_m_{0.0};              ///< driven ever, either way
+  std::optional<double> agreed_m_;  ///< of that, at the last compass reading that agreed with the wheels
+  double agreed_rad_{0.0};          ///< what that said beyond the heading
+  bool stood_{false};               ///< when the compass first said another thing
+  double astray_rad_{0.0};          ///< what it says since, and in how many readings alike
+  std::size_t astray_readings_{0};
+  std::optional<double> turned_rad_;
   double width_m_;
   bool measured_{false};           ///< the width, in this hallway
   std::array<Flank, 2> flanks_{};  ///< left, right

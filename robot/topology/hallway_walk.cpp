@@ -2,6 +2,7 @@
 #include "robot/topology/hallway_walk.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <utility>
 
 namespace sensotwin::robot {
@@ -13,6 +14,8 @@ constexpr double kConeTangent = 0.268;
 constexpr double kBackOff_m = 0.10;
 /// So long it looks again whether what is ahead is the end of the hallway. Chosen: five rounds.
 constexpr Duration kSecondLook{std::chrono::milliseconds{500}};
+/// So far off the hallway's direction nobody gets by following it. Chosen: half a quarter turn.
+constexpr double kAstray_rad = 0.25 * kPi;
 /// Within so much way it is the same thing that stands there. Chosen: a piece of furniture.
 constexpr double kSameThing_m = 1.0;
 
@@ -21,6 +24,9 @@ constexpr double kSameThing_m = 1.0;
 void HallwayWalk::take(const HallwaySensed& sensed) {
   step_.sensed = sensed;
   tracker_.step(sensed);
+  if (const std::optional<double> turned_rad = tracker_.take_turned_rad()) {
+    say(HallwayEventKind::kTurnedByHand, {}, {}, *turned_rad);
+  }
   if (sensed.tag) {
     tag_ = sensed.tag;
   }
@@ -29,6 +35,7 @@ void HallwayWalk::take(const HallwaySensed& sensed) {
 Task<HallwayPassage> HallwayWalk::along(HallwayLeg leg, PlaceWatcher& watcher) {
   tracker_.enter(leg.axis_rad);
   waited_m_ = -kSameThing_m;
+  hindered_ = false;
   tag_.reset();
   // Of the leg as it stands: a tag may set it right.
   const auto longest_m = [&] {
@@ -36,7 +43,10 @@ Task<HallwayPassage> HallwayWalk::along(HallwayLeg leg, PlaceWatcher& watcher) {
                         : config_.longest_m;
   };
   HallwayPassage passage;
-  while (tracker_.way_m() < longest_m()) {
+  while (tracker_.along_m() < longest_m()) {
+    if (std::abs(tracker_.off_axis_rad()) > kAstray_rad) {
+      co_await pilot_.face_axis();
+    }
     pilot_.follow(config_.speed_mps);
     co_await step_.next;
     const std::optional<TagNumber> tag = std::exchange(tag_, std::nullopt);
@@ -45,7 +55,7 @@ Task<HallwayPassage> HallwayWalk::along(HallwayLeg leg, PlaceWatcher& watcher) {
       found = watcher.by_sonar(leg);
     }
     if (found) {
-      found->way_m = tracker_.way_m();
+      found->way_m = tracker_.along_m();
       co_return *found;
     }
     if (pilot_.in_the_way() && !pilot_.bumped()) {
@@ -57,11 +67,12 @@ Task<HallwayPassage> HallwayWalk::along(HallwayLeg leg, PlaceWatcher& watcher) {
         found = watcher.by_sonar(leg);
       }
       if (found) {
-        found->way_m = tracker_.way_m();
+        found->way_m = tracker_.along_m();
         co_return *found;
       }
     }
     if (pilot_.in_the_way()) {
+      hindered_ = true;
       const bool gone = co_await past_obstacle();
       if (!gone) {
         passage.end = PassageEnd::kBlocked;
@@ -70,7 +81,7 @@ Task<HallwayPassage> HallwayWalk::along(HallwayLeg leg, PlaceWatcher& watcher) {
     }
   }
   co_await pilot_.brake();
-  passage.way_m = tracker_.way_m();
+  passage.way_m = tracker_.along_m();
   co_return passage;
 }
 

@@ -26,8 +26,9 @@ enum class PassageEnd : std::uint8_t { kArrived, kBlocked, kLost };
 struct HallwayPassage {
   PassageEnd end{PassageEnd::kLost};
   Arrival at{};             ///< of kArrived
-  double to_middle_m{0.0};  ///< of kArrived: from where the robot is
-  double way_m{0.0};        ///< driven since the leg began
+  double to_middle_m{0.0};  ///< of kArrived: from where the robot is; below 0: behind it
+  double way_m{0.0};        ///< along the hallway since the leg began
+  bool doubtful{false};     ///< of kArrived: no tag says so, and map, wheels or compass say another thing
 };
 
 /// Says, while a robot goes along a hallway, whether it has come to a place. Nothing: not yet.
@@ -91,6 +92,8 @@ class HallwayWalk {
   [[nodiscard]] std::optional<double> opening_ahead_m(bool left, bool right, double edge_to_middle_m) const;
   /// The same of a hallway that ends at the wall ahead.
   [[nodiscard]] std::optional<double> end_ahead_m() const;
+  /// Whether it touched or went round anything in this leg: the way is less well known then.
+  [[nodiscard]] bool hindered() const { return hindered_; }
   /// Adds an event of this step. \param place  name; empty where none is known
   void say(HallwayEventKind kind, std::string place = {}, std::optional<CompassPoint> side = {},
            double value = 0.0);
@@ -105,6 +108,7 @@ class HallwayWalk {
   HallwayPilot pilot_;
   HallwayLog log_;
   bool started_{false};
+  bool hindered_{false};
   double waited_m_{0.0};          ///< way at which it last waited for something to go away
   std::optional<TagNumber> tag_;  ///< read, and not yet thought about
 };

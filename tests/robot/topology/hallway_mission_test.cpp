@@ -172,13 +172,54 @@ TEST(HallwayMission, StopsAndSaysWhyWhenNoWayIsLeft) {
 TEST(HallwayMission, SetsItsHeadingRightByATagWhenTheCompassLied) {
   Trip trip;
   trip.to = "a3";
-  // The compass is a quarter turn off from the beginning: the robot faces north and thinks that it faces
-  // east.
+  // The compass is a quarter turn off from the beginning: the robot goes south and thinks that it goes east.
   const Outcome outcome = travel(trip, [](KinematicHallways& building, int tick) {
-    building.turn_compass(tick < 400 ? -0.5 * kPi : 0.0);
+    building.turn_compass(tick < 400 ? 0.5 * kPi : 0.0);
   });
   EXPECT_TRUE(outcome.arrived) << outcome.story();
   EXPECT_GE(outcome.count(HallwayEventKind::kTurnedWrong), 1) << outcome.story();
+}
+
+TEST(HallwayMission, NoticesThatSomebodyTurnedItWhereItStood) {
+  for (const double turn_rad : {-0.5 * kPi, 0.5 * kPi, kPi}) {
+    Trip trip;
+    trip.to = "a3";
+    const Outcome outcome = travel(trip, [&](KinematicHallways& building, int tick) {
+      if (tick == 12) {
+        building.turn_by_hand(turn_rad);
+      }
+    });
+    EXPECT_TRUE(outcome.arrived) << outcome.story();
+    EXPECT_EQ(outcome.count(HallwayEventKind::kTurnedByHand), 1) << outcome.story();
+    EXPECT_EQ(outcome.count(HallwayEventKind::kTurnedWrong), 0) << outcome.story();
+    EXPECT_LT(outcome.way_m, 1.05 * outcome.shortest_m) << outcome.story();
+  }
+}
+
+TEST(HallwayMission, BelievesNoCompassThatGoesOverToAnotherDirectionWhileItDrives) {
+  Trip trip;
+  trip.to = "a3";
+  const Outcome outcome = travel(trip, [](KinematicHallways& building, int tick) {
+    building.turn_compass(tick > 800 && tick < 1200 ? 0.5 * kPi : 0.0);
+  });
+  EXPECT_TRUE(outcome.arrived) << outcome.story();
+  EXPECT_EQ(outcome.count(HallwayEventKind::kTurnedByHand), 0) << outcome.story();
+}
+
+TEST(HallwayMission, GoesBackForTheTagOfAPlaceThatItIsNotSureOf) {
+  int looks = 0;
+  for (std::uint64_t seed = 1; seed <= 20; ++seed) {
+    Trip trip;
+    trip.to = "a1";
+    trip.seed = seed;
+    trip.faults.tags_missed = 0.3;
+    trip.faults.boxes_m = {{3.5, 0.25}};
+    const Outcome outcome = travel(trip);
+    EXPECT_TRUE(outcome.arrived) << seed << "\n" << outcome.story();
+    EXPECT_LT(outcome.end_error_m, 0.7) << seed << "\n" << outcome.story();
+    looks += outcome.count(HallwayEventKind::kLooksAgain);
+  }
+  EXPECT_GT(looks, 2);
 }
 
 TEST(HallwayMission, EndsAtOnceWhereItIsTheGoal) {

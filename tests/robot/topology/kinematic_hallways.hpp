@@ -39,6 +39,8 @@ class KinematicHallways {
   /// The box that stands nearest to a point is gone.
   void clear_boxes() { faults_.boxes_m.clear(); }
   void turn_compass(double rad) { compass_off_rad_ = rad; }
+  /// To the left, and no wheel tells of it.
+  void turn_by_hand(double rad) { X_WR_.yaw_rad = wrap_angle(X_WR_.yaw_rad + rad); }
 
  private:
   struct Strip {

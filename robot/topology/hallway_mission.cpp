@@ -147,6 +147,8 @@ Task<HallwayPassage> HallwayMission::look_again(HallwayPassage doubted) {
   HallwayLeg back;
   back.heading = doubted.at.from;
   back.axis_rad = home_rad;
+  back.behind_m = tag_to_middle_m(doubted.at.node, doubted.at.from) + walk_.config().tag_reach_m +
+                  std::abs(doubted.to_middle_m);
   if (side.hallway == Hallway::kLeadsTo) {
     back.to = side.to;
     back.length_m = doubted.way_m + doubted.to_middle_m;
@@ -270,7 +272,7 @@ HallwayLeg HallwayMission::leg_of(NodeIndex from, CompassPoint exit) const {
   if (side.hallway != Hallway::kLeadsTo) {
     return {from, exit, bearing_rad, std::nullopt, std::nullopt};
   }
-  return {from, exit, bearing_rad, side.to, side.length_m};
+  return {from, exit, bearing_rad, side.to, side.length_m, tag_to_middle_m(side.to, opposite(exit))};
 }
 
 double HallwayMission::tag_to_middle_m(NodeIndex node, CompassPoint side) const {

@@ -55,8 +55,8 @@ double HallwayPilot::ramped(double speed_mps) const {
   return speed_mps_ + std::clamp(speed_mps - speed_mps_, -most, most);
 }
 
-void HallwayPilot::follow(double speed_mps) {
-  const double across_m = straight_on_ ? 0.0 : tracker_.left_of_line_m().value_or(0.0);
+void HallwayPilot::follow(double speed_mps, bool by_walls) {
+  const double across_m = straight_on_ || !by_walls ? 0.0 : tracker_.left_of_line_m().value_or(0.0);
   const double astray_rad =
       tracker_.off_axis_rad() + std::clamp(std::atan(across_m / kLookahead_m), -kApproach_rad, kApproach_rad);
   command(ramped(speed_mps),

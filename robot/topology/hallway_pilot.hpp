@@ -20,7 +20,8 @@ class HallwayPilot {
       : config_(config), tracker_(tracker), step_(step) {}
 
   /// One step along the hallway: sets the wheel command. \param speed_mps  towards which the speed is ramped
-  void follow(double speed_mps);
+  /// \param by_walls  or straight on
+  void follow(double speed_mps, bool by_walls = true);
 
   Task<> brake();
   /// On the spot, until it heads there. \param heading_rad  counter-clockwise from the plan's north

@@ -119,6 +119,7 @@ void HallwayTracker::take_compass(double compass_rad) {
   const double measured_rad = wrap_angle(compass_rad - config_.plan_north_rad);
   if (!heading_rad_) {
     heading_rad_ = measured_rad;
+    agreed_m_ = path_m_;
     return;
   }
   const double off_rad = wrap_angle(measured_rad - *heading_rad_);

@@ -47,7 +47,9 @@ Task<HallwayPassage> HallwayWalk::along(HallwayLeg leg, PlaceWatcher& watcher) {
     if (std::abs(tracker_.off_axis_rad()) > kAstray_rad) {
       co_await pilot_.face_axis();
     }
-    pilot_.follow(config_.speed_mps);
+    const double along_m = tracker_.along_m();
+    const bool in_place = along_m < leg.behind_m || (leg.length_m && along_m > *leg.length_m - leg.ahead_m);
+    pilot_.follow(config_.speed_mps, !in_place);
     co_await step_.next;
     const std::optional<TagNumber> tag = std::exchange(tag_, std::nullopt);
     std::optional<HallwayPassage> found = tag ? watcher.by_tag(leg, *tag) : std::nullopt;

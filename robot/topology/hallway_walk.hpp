@@ -18,6 +18,10 @@ struct HallwayLeg {
   double axis_rad{yaw_rad_of(CompassPoint::kNorth)};  ///< its direction, from the plan's north
   std::optional<NodeIndex> to{};                      ///< place ahead, where the map knows it
   std::optional<double> length_m{};                   ///< from middle to middle
+  /// Before that the place ahead begins, and so far reaches the one behind: their walls are no hallway's, and
+  /// it goes straight on there.
+  double ahead_m{0.0};
+  double behind_m{0.0};
 };
 
 enum class PassageEnd : std::uint8_t { kArrived, kBlocked, kLost };

@@ -212,7 +212,7 @@ TEST(HallwayMission, GoesBackForTheTagOfAPlaceThatItIsNotSureOf) {
     Trip trip;
     trip.to = "a1";
     trip.seed = seed;
-    trip.faults.tags_missed = 0.3;
+    trip.faults.tags_missed = 0.5;
     trip.faults.boxes_m = {{3.5, 0.25}};
     const Outcome outcome = travel(trip);
     EXPECT_TRUE(outcome.arrived) << seed << "\n" << outcome.story();

@@ -38,7 +38,9 @@ Summary run_phase(const Scene& scene, RunFolder& folder, const SceneRunOptions& 
   summary.path = recorder.result(twin);
   if (scene.mission.phase->controller == PhaseController::kOwn) {
     summary.path->bound = options.bound;
-    if (const auto bound = options.bound ? std::nullopt : bound_of(scene)) {
+    // An interrupted run ends within a second: among forty tags the bound alone may take half of one.
+    const bool wanted = !options.bound && !summary.interrupted;
+    if (const auto bound = wanted ? bound_of(scene) : std::nullopt) {
       summary.path->bound = figures_of(*bound);
     }
   }

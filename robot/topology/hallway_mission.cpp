@@ -236,7 +236,7 @@ std::optional<HallwayPassage> HallwayMission::by_sonar(const HallwayLeg& leg) {
     return std::nullopt;
   }
   std::optional<double> to_middle_m = seen_ahead_m(leg);
-  bool doubtful = walk_.hindered() || walk_.tracker().compass_astray();
+  bool doubtful = walk_.tracker().compass_astray() || (walk_.hindered() && !leg.length_m);
   if (leg.length_m) {
     const double sure_m = *leg.length_m * robot.sure_slack + robot.sure_slack_m;
     if (!to_middle_m && way_m > *leg.length_m + sure_m) {

@@ -41,9 +41,9 @@ struct HallwayStatus {
 /// the way is waited for, gone round where there is room, and else the hallway is given up and another way
 /// planned; where only hallways might lead to the goal whose ends the map does not know, they are tried,
 /// nearest first, and the map is completed by what is found. A place that the sonars alone see is believed
-/// where the map's length agrees with the wheels, and the compass, and nothing stood in the way; else it goes
-/// back for the tag, so that it never says that it arrived where it did not. Each end that is not the goal is
-/// standing still with an entry in the log.
+/// where the map's length agrees with the wheels, and the compass, and where the map has none, nothing stood
+/// in the way; else it goes back for the tag, so that it never says that it arrived where it did not. Each
+/// end that is not the goal is standing still with an entry in the log.
 ///
 /// Neither copies nor moves: its behaviours hold references into it.
 class HallwayMission final : private PlaceWatcher {

@@ -213,7 +213,8 @@ TEST(HallwayMission, GoesBackForTheTagOfAPlaceThatItIsNotSureOf) {
     trip.to = "a1";
     trip.seed = seed;
     trip.faults.tags_missed = 0.5;
-    trip.faults.boxes_m = {{3.5, 0.25}};
+    // It is 7 m, and the map says 8: what the sonars see comes too early.
+    trip.map.connect(*trip.map.find("a0"), CompassPoint::kEast, *trip.map.find("a1"), 8.0);
     const Outcome outcome = travel(trip);
     EXPECT_TRUE(outcome.arrived) << seed << "\n" << outcome.story();
     EXPECT_LT(outcome.end_error_m, 0.7) << seed << "\n" << outcome.story();

@@ -8,8 +8,8 @@
 #include "twin/output/output_error.hpp"
 #include "twin/run/hallway_recorder.hpp"
 #include "twin/run/hallway_twin.hpp"
+#include "twin/run/mission_loop.hpp"
 #include "twin/run/run_parts.hpp"
-#include "twin/run/tick_loop.hpp"
 #include "twin/run/twin_journal.hpp"
 #include "twin/run/twin_tap.hpp"
 #include "twin/scene/floor_plan.hpp"
@@ -74,24 +74,13 @@ Summary run_hallway(const Scene& scene, RunFolder& folder, const SceneRunOptions
   TwinJournal journal(options.journal, scene);
   HallwayTwin twin(scene, journal.on_hallway_wires());
   HallwayRecorder recorder(scene, folder, options.trace_every, options.pictures);
-  JournallingRecorder journalling(recorder, journal);
   TwinTap tap(options.telemetry, scene, hallway_settings_of(scene));
-  TappingRecorder tapping(journalling, tap);
-  recorder.listen(tap.listener());
-  TickLoop loop(options.wall_s, options.pace);
-  const auto may_go_on = [&] {
-    return !options.keep_going ||
-           options.keep_going({.sim_s = robot::to_s(twin.now()),
-                               .done = twin.program().done() ? progress_total_of(scene) : 0,
-                               .total = progress_total_of(scene)});
-  };
-  Summary summary;
-  const robot::Instant limit{robot::from_s(scene.limits.time_limit_s)};
-  summary.interrupted = !loop.run(twin, tapping, limit, may_go_on);
-  tap.ended(twin.now(), summary.interrupted);
-  recorder.finish();
-  const double looped_s = wall_s(options);
+  const auto go_on =
+      may_go_on(scene, options, twin, [&] { return twin.program().done() ? progress_total_of(scene) : 0; });
+  const MissionLoop loop = run_to_its_end(scene, options, twin, recorder, journal, tap, go_on);
 
+  Summary summary;
+  summary.interrupted = loop.interrupted;
   open_summary(summary, scene, twin, options);
   summary.hallway = recorder.result(twin);
   summary.links = links_of(twin.program(), {&twin.program().floor_reader()});
@@ -105,7 +94,7 @@ Summary run_hallway(const Scene& scene, RunFolder& folder, const SceneRunOptions
     draw(view_of(scene, twin, recorder, *summary.hallway), folder);
   }
   folder.write("summary.json", to_json(summary));
-  write_timing(folder, loop.parts(), summary.sim_s, begun_s, looped_s, options);
+  write_timing(folder, loop.parts, summary.sim_s, begun_s, loop.ended_s, options);
   return summary;
 }
 

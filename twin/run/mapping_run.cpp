@@ -6,11 +6,11 @@
 #include "robot/mapping/explorer_kind.hpp"
 #include "twin/run/map_verdict.hpp"
 #include "twin/run/mapping_twin.hpp"
+#include "twin/run/mission_loop.hpp"
 #include "twin/run/recovered_map.hpp"
 #include "twin/run/run_parts.hpp"
 #include "twin/run/run_pictures.hpp"
 #include "twin/run/run_recorder.hpp"
-#include "twin/run/tick_loop.hpp"
 #include "twin/run/twin_journal.hpp"
 #include "twin/run/twin_tap.hpp"
 #include "world/free_space.hpp"
@@ -67,26 +67,16 @@ Summary run_mapping(const Scene& scene, RunFolder& folder, const SceneRunOptions
   TwinJournal journal(options.journal, scene);
   MappingTwin twin(scene, journal.on_mapping_wires());
   RunRecorder recorder(folder, options.trace_every);
-  JournallingRecorder journalling(recorder, journal);
   TwinTap tap(options.telemetry, scene, robot_settings_of(scene));
-  TappingRecorder tapping(journalling, tap);
-  recorder.listen(tap.listener());
   if (options.telemetry != nullptr) {
     tap.show_total(promised_by(scene, reachable_in(scene, twin)).size());
   }
-  TickLoop loop(options.wall_s, options.pace);
-  const auto may_go_on = [&] {
-    return !options.keep_going || options.keep_going({.sim_s = robot::to_s(twin.now()),
-                                                      .done = static_cast<int>(recorder.found().size()),
-                                                      .total = progress_total_of(scene)});
-  };
-  const robot::Instant limit{robot::from_s(scene.limits.time_limit_s)};
-  Summary summary;
-  summary.interrupted = !loop.run(twin, tapping, limit, may_go_on);
-  tap.ended(twin.now(), summary.interrupted);
-  recorder.finish();
-  const double looped_s = wall_s(options);
+  const auto go_on =
+      may_go_on(scene, options, twin, [&] { return static_cast<int>(recorder.found().size()); });
+  const MissionLoop loop = run_to_its_end(scene, options, twin, recorder, journal, tap, go_on);
 
+  Summary summary;
+  summary.interrupted = loop.interrupted;
   const world::ReachableTiles truth = reachable_in(scene, twin);
   const auto placement = placement_of(scene, twin);
   const MapVerdict verdict =
@@ -100,10 +90,10 @@ Summary run_mapping(const Scene& scene, RunFolder& folder, const SceneRunOptions
   robot::write_recovered_map(folder, twin.program().mission(), scene.world.carpet.tile_m);
   if (options.pictures && !summary.interrupted) {
     // Whoever interrupts is answered within a second; a house takes three to draw.
-    summary.interrupted = !draw_run(scene, twin, recorder, verdict, placement, summary, folder, may_go_on);
+    summary.interrupted = !draw_run(scene, twin, recorder, verdict, placement, summary, folder, go_on);
   }
   folder.write("summary.json", to_json(summary));
-  write_timing(folder, loop.parts(), summary.sim_s, begun_s, looped_s, options);
+  write_timing(folder, loop.parts, summary.sim_s, begun_s, loop.ended_s, options);
   return summary;
 }
 

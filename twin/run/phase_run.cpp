@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: MIT
 #include "twin/run/phase_run.hpp"
 
+#include "twin/run/mission_loop.hpp"
 #include "twin/run/phase_config.hpp"
 #include "twin/run/phase_pictures.hpp"
 #include "twin/run/phase_recorder.hpp"
 #include "twin/run/phase_twin.hpp"
 #include "twin/run/run_parts.hpp"
 #include "twin/run/scene_bound.hpp"
-#include "twin/run/tick_loop.hpp"
 #include "twin/run/twin_journal.hpp"
 #include "twin/run/twin_tap.hpp"
 
@@ -17,23 +17,12 @@ Summary run_phase(const Scene& scene, RunFolder& folder, const SceneRunOptions& 
   TwinJournal journal(options.journal, scene);
   PhaseTwin twin(scene, journal.on_phase_wires());
   PhaseRecorder recorder(scene, folder, options.trace_every, options.pictures, options.tag_log);
-  JournallingRecorder journalling(recorder, journal);
   TwinTap tap(options.telemetry, scene, robot_settings_of(scene, twin.radio()));
-  TappingRecorder tapping(journalling, tap);
-  recorder.listen(tap.listener());
-  TickLoop loop(options.wall_s, options.pace);
-  const auto may_go_on = [&] {
-    return !options.keep_going || options.keep_going({.sim_s = robot::to_s(twin.now()),
-                                                      .done = static_cast<int>(twin.program().leg()),
-                                                      .total = progress_total_of(scene)});
-  };
-  Summary summary;
-  const robot::Instant limit{robot::from_s(scene.limits.time_limit_s)};
-  summary.interrupted = !loop.run(twin, tapping, limit, may_go_on);
-  tap.ended(twin.now(), summary.interrupted);
-  recorder.finish();
-  const double looped_s = wall_s(options);
+  const auto go_on = may_go_on(scene, options, twin, [&] { return static_cast<int>(twin.program().leg()); });
+  const MissionLoop loop = run_to_its_end(scene, options, twin, recorder, journal, tap, go_on);
 
+  Summary summary;
+  summary.interrupted = loop.interrupted;
   open_summary(summary, scene, twin, options);
   summary.path = recorder.result(twin);
   if (scene.mission.phase->controller == PhaseController::kOwn) {
@@ -47,10 +36,10 @@ Summary run_phase(const Scene& scene, RunFolder& folder, const SceneRunOptions& 
   summary.links = links_of(twin.program(), {&twin.program().floor_reader()});
   summary.expect = judge(limits_of(scene), figures_of(summary));
   if (options.pictures && !summary.interrupted) {
-    summary.interrupted = !draw_phase_run(scene, twin, recorder, *summary.path, folder, may_go_on);
+    summary.interrupted = !draw_phase_run(scene, twin, recorder, *summary.path, folder, go_on);
   }
   folder.write("summary.json", to_json(summary));
-  write_timing(folder, loop.parts(), summary.sim_s, begun_s, looped_s, options);
+  write_timing(folder, loop.parts, summary.sim_s, begun_s, loop.ended_s, options);
   return summary;
 }
 

@@ -65,17 +65,12 @@ void CeilingEstimator::judge_wiring() {
 }
 
 void CeilingEstimator::reopen_wiring() {
-  if (config_.reader.antennas.size() < 2) {
-    return;
-  }
   say(EstimatorEventKind::kWiringDoubted, -1);
   wiring_known_ = false;
   wiring_doubt_ = 0.0;
   settled_evidence_ = 0.0;
-  if (swapped_) {
-    swapped_ = false;
-    exchange_mounts();
-  }
+  swapped_ = false;
+  exchange_mounts();
   // What was learned of places was learned in the world as it was taken to be.
   for (int id = 0; id < tags(); ++id) {
     if (filter_.knows(id)) {

@@ -130,7 +130,8 @@ void Roomba::read_stream(Instant now) {
     const std::size_t arrived = link_.read(room);
     decoder_.received(arrived);
     while (const auto frame = decoder_.next()) {
-      *frame&& take_payload(**frame, now) ? ++frames : ++health_.frames_corrupt;
+      const bool good = *frame && take_payload(**frame, now);
+      good ? ++frames : ++health_.frames_corrupt;
     }
     if (arrived < room.size()) {
       break;

@@ -36,6 +36,7 @@ enum class HallwayEventKind : std::uint8_t {
   kLost,           ///< no place where there has to be one, and none found again: the mission ends here
   kTurnedByHand,  ///< the compass says that somebody turned it where it stood; value: by how much to the left
   kLooksAgain,    ///< perhaps at this place; it goes back for the tag to make sure
+  kGoesOn,        ///< perhaps at this place; its way leads straight on there, so the next tag will tell
 };
 
 /// The event as a person reads it, in lower case, without a full stop.
@@ -83,17 +84,19 @@ enum class HallwayEventKind : std::uint8_t {
       return "somebody turned it, the compass says";
     case HallwayEventKind::kLooksAgain:
       return "not sure of the place, goes back for its tag";
+    case HallwayEventKind::kGoesOn:
+      return "not sure of the place, its way leads straight on there";
   }
   return "";
 }
 
 /// For machines: snake case.
 [[nodiscard]] constexpr std::string_view name_of(HallwayEventKind kind) {
-  constexpr std::array<std::string_view, 21> kNames{
-      "placed",     "route",          "left",       "tag",     "strange_tag", "arrived",
-      "tag_missed", "turned_wrong",   "elsewhere",  "waiting", "went_round",  "blocked",
-      "bumped",     "explored",       "map_whole",  "goal",    "no_way",      "only_by_unknown",
-      "lost",       "turned_by_hand", "looks_again"};
+  constexpr std::array<std::string_view, 22> kNames{
+      "placed",     "route",          "left",        "tag",     "strange_tag", "arrived",
+      "tag_missed", "turned_wrong",   "elsewhere",   "waiting", "went_round",  "blocked",
+      "bumped",     "explored",       "map_whole",   "goal",    "no_way",      "only_by_unknown",
+      "lost",       "turned_by_hand", "looks_again", "goes_on"};
   return kNames[static_cast<std::size_t>(kind)];
 }
 

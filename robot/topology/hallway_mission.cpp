@@ -13,6 +13,9 @@ constexpr int kSearches = 4;
 /// Times that it goes back for a tag in a mission before it gives up. Chosen: one tag in ten missed makes one
 /// or two.
 constexpr int kLooks = 8;
+/// A hallway that leaves within so much of the one it came by leads straight on. Chosen: the walls lead it
+/// round that much.
+constexpr double kStraight_rad = rad_from_deg(15.0);
 
 }  // namespace
 
@@ -90,12 +93,17 @@ std::optional<HallwayMission::Step> HallwayMission::next_step() {
 }
 
 Task<bool> HallwayMission::go_on(NodeIndex from, CompassPoint exit, std::optional<NodeIndex> to) {
-  const HallwayLeg leg = leg_of(from, exit);
+  HallwayLeg leg = leg_of(from, exit);
+  const double beyond_m = std::exchange(beyond_m_, 0.0);
+  if (leg.length_m) {
+    *leg.length_m -= beyond_m;
+  }
   co_await walk_.pilot().turn_to(leg.axis_rad);
   status_.leaving = exit;
   status_.heading_for = to;
   say(HallwayEventKind::kLeft, from, exit);
   HallwayPassage passage = co_await walk_.along(leg, *this);
+  passage.way_m += beyond_m;
   if (passage.end == PassageEnd::kBlocked) {
     say(HallwayEventKind::kBlocked, from, exit);
     blocked_.block(config_.map, from, exit);
@@ -105,7 +113,7 @@ Task<bool> HallwayMission::go_on(NodeIndex from, CompassPoint exit, std::optiona
     passage = co_await walk_.along(way_back, *this);
     status_.heading_for = from;
   }
-  while (passage.end == PassageEnd::kArrived && passage.doubtful) {
+  while (passage.end == PassageEnd::kArrived && passage.doubtful && !leads_on(passage)) {
     if (++looks_ > kLooks) {
       co_return false;
     }
@@ -117,11 +125,22 @@ Task<bool> HallwayMission::go_on(NodeIndex from, CompassPoint exit, std::optiona
     const bool found = co_await find_place(back_rad);
     co_return found;
   }
-  if (!to && status_.leaving == exit && !status_.heading_for) {
+  if (!to && status_.leaving == exit && !status_.heading_for && !unsure_) {
     learn(leg, passage);
   }
   co_await come_to(passage, status_.heading_for);
   co_return true;
+}
+
+bool HallwayMission::leads_on(const HallwayPassage& passage) const {
+  const auto route = plan_route(config_.map, passage.at.node, config_.goal, blocked_);
+  if (unsure_ || !route || route->steps.empty()) {
+    return false;
+  }
+  const CompassPoint exit = route->steps.front().exit;
+  const double bend_rad =
+      wrap_angle(config_.map.node(passage.at.node).bearing_rad(exit) - *walk_.tracker().axis_rad());
+  return exit == opposite(passage.at.from) && std::abs(bend_rad) < kStraight_rad;
 }
 
 void HallwayMission::learn(const HallwayLeg& leg, const HallwayPassage& passage) {
@@ -142,7 +161,8 @@ Task<HallwayPassage> HallwayMission::look_again(HallwayPassage doubted) {
   say(HallwayEventKind::kLooksAgain, doubted.at.node, doubted.at.from);
   const double home_rad = wrap_angle(*walk_.tracker().axis_rad() + kPi);
   const Side& side = config_.map.node(doubted.at.node).side(doubted.at.from);
-  co_await walk_.pilot().advance(doubted.to_middle_m);
+  const double advanced_m = std::max(0.0, doubted.to_middle_m);
+  co_await walk_.pilot().advance(advanced_m);
   co_await walk_.pilot().turn_to(home_rad);
   HallwayLeg back;
   back.heading = doubted.at.from;
@@ -151,7 +171,7 @@ Task<HallwayPassage> HallwayMission::look_again(HallwayPassage doubted) {
                   std::abs(doubted.to_middle_m);
   if (side.hallway == Hallway::kLeadsTo) {
     back.to = side.to;
-    back.length_m = doubted.way_m + doubted.to_middle_m;
+    back.length_m = doubted.way_m + advanced_m;
   }
   doubted_ = doubted.at;
   const HallwayPassage passage = co_await walk_.along(back, *this);
@@ -162,6 +182,12 @@ Task<HallwayPassage> HallwayMission::look_again(HallwayPassage doubted) {
 Task<> HallwayMission::come_to(HallwayPassage passage, std::optional<NodeIndex> meant) {
   if (meant && *meant != passage.at.node) {
     say(HallwayEventKind::kElsewhere, passage.at.node, passage.at.from);
+  }
+  unsure_ = passage.doubtful;
+  if (unsure_) {
+    say(HallwayEventKind::kGoesOn, passage.at.node, passage.at.from);
+    beyond_m_ = std::max(0.0, -passage.to_middle_m);
+    passage.to_middle_m += beyond_m_;
   }
   if (passage.to_middle_m < 0.0) {
     const double back_rad = wrap_angle(*walk_.tracker().axis_rad() + kPi);
@@ -183,7 +209,10 @@ std::optional<HallwayPassage> HallwayMission::by_tag(HallwayLeg& leg, TagNumber 
   }
   say(HallwayEventKind::kTag, met->node, met->from);
   const double to_middle_m = tag_to_middle_m(met->node, met->from);
-  const bool just_left = leg.from == met->node && walk_.tracker().along_m() < 2.0 * to_middle_m;
+  const bool not_yet_there = unsure_ && leg.from == met->node && met->from == opposite(leg.heading);
+  unsure_ = false;
+  const bool just_left =
+      leg.from == met->node && walk_.tracker().along_m() < 2.0 * to_middle_m && !not_yet_there;
   const bool ran_over = leg.to == met->node && leg.length_m && walk_.tracker().along_m() > *leg.length_m &&
                         met->from != opposite(leg.heading);
   const bool leaving = just_left || ran_over || met->from == leg.heading;
@@ -236,11 +265,12 @@ std::optional<HallwayPassage> HallwayMission::by_sonar(const HallwayLeg& leg) {
     return std::nullopt;
   }
   std::optional<double> to_middle_m = seen_ahead_m(leg);
-  bool doubtful = walk_.tracker().compass_astray() || (walk_.hindered() && !leg.length_m);
+  bool doubtful = unsure_ || walk_.tracker().compass_astray() || (walk_.hindered() && !leg.length_m);
   if (leg.length_m) {
     const double sure_m = *leg.length_m * robot.sure_slack + robot.sure_slack_m;
     if (!to_middle_m && way_m > *leg.length_m + sure_m) {
-      to_middle_m = 0.0;  // no sonar sees it, and it has to be behind
+      to_middle_m = *leg.length_m - way_m;  // no sonar sees it, and it has to be behind
+      doubtful = true;
     }
     doubtful = doubtful || std::abs(way_m + to_middle_m.value_or(0.0) - *leg.length_m) > sure_m;
   }

@@ -42,8 +42,9 @@ struct HallwayStatus {
 /// planned; where only hallways might lead to the goal whose ends the map does not know, they are tried,
 /// nearest first, and the map is completed by what is found. A place that the sonars alone see is believed
 /// where the map's length agrees with the wheels, and the compass, and where the map has none, nothing stood
-/// in the way; else it goes back for the tag, so that it never says that it arrived where it did not. Each
-/// end that is not the goal is standing still with an entry in the log.
+/// in the way; else it goes back for the tag, so that it never says that it arrived where it did not. Only
+/// where its way leads straight on there it may go on, and no place is believed by the sonars before the next
+/// tag. Each end that is not the goal is standing still with an entry in the log.
 ///
 /// Neither copies nor moves: its behaviours hold references into it.
 class HallwayMission final : private PlaceWatcher {
@@ -68,6 +69,8 @@ class HallwayMission final : private PlaceWatcher {
   Task<bool> find_place(double axis_rad);
   /// \param to  nothing: nobody knows where the exit leads
   Task<bool> go_on(NodeIndex from, CompassPoint exit, std::optional<NodeIndex> to);
+  /// Whether the way leads straight on at a place that it is perhaps at, so that the next tag may tell.
+  [[nodiscard]] bool leads_on(const HallwayPassage& passage) const;
   /// The next step to the goal, or to the nearest hallway that is worth trying; nothing: there is none, and
   /// it has said why.
   struct Step {
@@ -104,6 +107,8 @@ class HallwayMission final : private PlaceWatcher {
   CompassPoint heading_{CompassPoint::kNorth};  ///< at the last place
   std::optional<Arrival> doubted_;              ///< whose tag it goes back for
   int looks_{0};                                ///< times that it did
+  bool unsure_{false};    ///< of status_.place: it went on there, and has read no tag since
+  double beyond_m_{0.0};  ///< the middle of that is so far behind, as it sets out
   Task<> script_;
 };
 

@@ -223,6 +223,42 @@ TEST(HallwayMission, GoesBackForTheTagOfAPlaceThatItIsNotSureOf) {
   EXPECT_GT(looks, 2);
 }
 
+TEST(HallwayMission, GoesOnPastAPlaceThatItIsNotSureOfWhereItsWayLeadsStraightOnThere) {
+  // Nothing is to be seen of a1 but its tags, and nothing turns there.
+  int went_on = 0;
+  int looks = 0;
+  double way_m = 0.0;
+  double shortest_m = 0.0;
+  for (std::uint64_t seed = 1; seed <= 20; ++seed) {
+    Trip trip;
+    trip.to = "a3";
+    trip.seed = seed;
+    trip.faults.tags_missed = 0.4;
+    const Outcome outcome = travel(trip);
+    EXPECT_TRUE(outcome.arrived) << seed << "\n" << outcome.story();
+    EXPECT_LT(outcome.end_error_m, 0.7) << seed << "\n" << outcome.story();
+    went_on += outcome.count(HallwayEventKind::kGoesOn);
+    looks += outcome.count(HallwayEventKind::kLooksAgain);
+    way_m += outcome.way_m;
+    shortest_m += outcome.shortest_m;
+  }
+  EXPECT_GT(went_on, 2);
+  EXPECT_LT(looks, went_on);
+  EXPECT_LT(way_m / shortest_m, 1.1);
+}
+
+TEST(HallwayMission, KnowsByItsTagThatAPlaceWhichItThoughtBehindIsOnlyComing) {
+  Trip trip;
+  trip.to = "a3";
+  // It is 7 m to a1, and the map says 4.
+  trip.map.connect(*trip.map.find("a0"), CompassPoint::kEast, *trip.map.find("a1"), 4.0);
+  const Outcome outcome = travel(trip);
+  EXPECT_TRUE(outcome.arrived) << outcome.story();
+  EXPECT_LT(outcome.end_error_m, 0.5) << outcome.story();
+  EXPECT_EQ(outcome.count(HallwayEventKind::kGoesOn), 1) << outcome.story();
+  EXPECT_EQ(outcome.count(HallwayEventKind::kTurnedWrong), 0) << outcome.story();
+}
+
 TEST(HallwayMission, EndsAtOnceWhereItIsTheGoal) {
   Trip trip;
   trip.from = "a0";

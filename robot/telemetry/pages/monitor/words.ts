@@ -41,6 +41,7 @@ const known: Record<string, [Severity, string]> = {
   bumped: ["news", "Touched something"],
   turned_by_hand: ["warn", "Somebody turned it, the compass says"],
   looks_again: ["warn", "Not sure of the place, goes back for its tag"],
+  goes_on: ["news", "Not sure of the place, its way leads straight on"],
   explored: ["good", "An unknown hallway is known now"],
   map_whole: ["good", "Map whole"],
   goal: ["good", "At the goal"],

@@ -89,15 +89,17 @@ inline HallwayTally every_pair(const std::string& file, const std::string& varia
           ++tally.arrived;
           tally.length_m += result.length_m;
           tally.shortest_m += result.shortest_m;
-          continue;
+        } else {
+          ++tally.stopped[outcome.last];
+          const bool says_why =
+              outcome.last == "no_way" || outcome.last == "only_by_unknown" || outcome.last == "lost";
+          tally.silent += says_why ? 0 : 1;
         }
-        ++tally.stopped[outcome.last];
-        const bool says_why =
-            outcome.last == "no_way" || outcome.last == "only_by_unknown" || outcome.last == "lost";
-        tally.silent += says_why ? 0 : 1;
-        std::printf("%s %s: %s to %s, seed %d: %s, %.1f m of %.1f\n", file.c_str(), variant.c_str(),
-                    from.name.c_str(), to.name.c_str(), static_cast<int>(seed), outcome.last.c_str(),
-                    result.length_m, result.shortest_m);
+        if (result.arrived != 1 || result.wall_contacts > 0) {
+          std::printf("%s %s: %s to %s, seed %d: %s, %.1f m of %.1f, %d contacts\n", file.c_str(),
+                      variant.c_str(), from.name.c_str(), to.name.c_str(), static_cast<int>(seed),
+                      outcome.last.c_str(), result.length_m, result.shortest_m, result.wall_contacts);
+        }
       }
     }
   }

@@ -24,6 +24,10 @@ namespace {
 constexpr int kBacklog = 128;
 /// A stream looks so often whether the server stops. Chosen: nobody waits noticeably.
 constexpr std::chrono::milliseconds kStreamLook{250};
+/// Streams may finish what they have begun to say: how a run ended is said last. Chosen: a phone takes a run
+/// of an hour in this; a client that does not read must not hold up the end longer.
+constexpr std::chrono::milliseconds kLastWords{500};
+constexpr std::chrono::milliseconds kLastWordsLook{10};
 
 HttpRequest request_of(const httplib::Request& from) {
   HttpRequest request;
@@ -167,10 +171,14 @@ void WebServer::State::stream(const EventStreamOpener& opener, const HttpRequest
   response.set_content_provider(
       "text/event-stream",
       [this, events, silent](std::size_t, httplib::DataSink& sink) {
-        if (stopping || events->ended()) {
+        const bool last_words = stopping;
+        if (events->ended()) {
           return false;
         }
-        std::string news = events->next(kStreamLook);
+        std::string news = events->next(last_words ? std::chrono::milliseconds{0} : kStreamLook);
+        if (last_words && news.empty()) {
+          return false;
+        }
         *silent = news.empty() ? *silent + kStreamLook : std::chrono::milliseconds{0};
         if (*silent >= options.heartbeat) {
           *silent = std::chrono::milliseconds{0};
@@ -219,6 +227,9 @@ WebServer::WebServer(Site site, const WebServerOptions& options)
 
 WebServer::~WebServer() {
   state_->stopping = true;
+  for (auto waited = kLastWordsLook; waited <= kLastWords && state_->streams > 0; waited += kLastWordsLook) {
+    std::this_thread::sleep_for(kLastWordsLook);
+  }
   const std::uint64_t one = 1;
   (void)!::write(state_->stop.get(), &one, sizeof one);
   state_->server.stop();

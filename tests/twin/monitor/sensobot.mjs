@@ -95,8 +95,16 @@ try {
   await checkEverySize(browser, url, out, "sensobot", allGone);
   check((await again.ended) === 69, `without its devices sensobot ended with ${await again.ended}`);
   await untilState(page, "^Run ended: device lost, waiting for the next$");
+
+  // A third one that finds no device says which, and the page tells it.
+  const third = await run("third", new URL(url).port, ["--wait", "4"]);
+  await page.waitForFunction(() => document.querySelector(".big").textContent === "Waiting for its devices", null, { timeout: 10_000 });
+  await untilState(page, "^Run ended: device missing, waiting for the next$");
+  check((await third.ended) === 69, `without a device sensobot ended with ${await third.ended}`);
+  check(JSON.stringify(eventsOf("third").map((event) => event.device)) === JSON.stringify(["the Roomba", "the sensor board", "the UHF reader"]), "events.jsonl does not name what is missing");
+  await untilEvent(page, "Device gone: the sensor board");
   check(page.errors.every((error) => /ERR_CONNECTION_REFUSED|ERR_INCOMPLETE_CHUNKED|ERR_EMPTY/.test(error)), page.errors.join("\n"));
-  console.log("live, a cable pulled, ended, and the next run");
+  console.log("live, a cable pulled, ended, the next run, and one without devices");
 } finally {
   wires.cable.pull();
   await browser.close();

@@ -113,7 +113,10 @@ export async function checkEverySize(browser, url, out, name, ready) {
     if (options.touch) {
       await checkButtons(page, `${name}, ${size}`);
     }
-    await page.screenshot({ path: join(out, `${name}_${size}.png`), fullPage: Boolean(options.touch) });
+    await page.screenshot({ path: join(out, `${name}_${size}.png`) });
+    if (options.touch) {
+      await page.screenshot({ path: join(out, `${name}_${size}_whole.png`), fullPage: true });
+    }
     check(page.errors.length === 0, `${name}, ${size}: ${page.errors.join("\n")}`);
     await page.close();
   }

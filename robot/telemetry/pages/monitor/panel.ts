@@ -227,7 +227,7 @@ export class Panel {
 /** What is happening, in two words, for the head of the page. */
 export function stateWords(robot: Robot | null, connection: Connection): { text: string; kind: string } {
   if (connection === "refused") {
-    return { text: "Its token is another now: open the address that the program printed", kind: "bad" };
+    return { text: "Another run: open the address that it printed", kind: "bad" };
   }
   if (robot?.ended) {
     const away = connection === "lost" ? ", waiting for the next" : robot.linked ? "" : ", not reached any more";

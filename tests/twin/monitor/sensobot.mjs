@@ -5,7 +5,7 @@
 import { mkdirSync, readFileSync, rmSync } from "node:fs";
 import { join } from "node:path";
 import { check, openBrowser, start } from "../../robot/telemetry/browser.mjs";
-import { checkEverySize, countOfColour, pause, served, state, telemetry, untilEvent, untilState } from "./served.mjs";
+import { checkEverySize, countOfColour, pause, servedByCable, state, telemetry, untilEvent, untilState } from "./served.mjs";
 
 const [twin, pages, out, root, sensobot] = process.argv.slice(2);
 const browser = await openBrowser(pages);
@@ -15,7 +15,7 @@ const scene = join(root, "tests/twin/sensobot/two_tags.yaml");
 /** base.css, in light. */
 const [robotColour, trailColour, estimateColour] = [[0xd5, 0x5e, 0x00], [0x0b, 0x62, 0xa8], [0xb0, 0x40, 0x7a]];
 
-const wires = await served(twin, scene, join(out, "served"));
+const wires = await servedByCable(twin, scene, join(out, "served"));
 const run = (name, port, options = []) =>
   start(sensobot, ["run", wires.robot, "--devices", wires.devices, "--out", join(out, name), `--monitor=127.0.0.1:${port}`, ...options], /monitor at (http\S+)/);
 const card = (page, name) => page.locator(`section[aria-label="${name}"]`).textContent();

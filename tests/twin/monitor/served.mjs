@@ -48,21 +48,27 @@ async function cableTo(port) {
   };
 }
 
-/** `twin serve` of a scene along ceiling tags, its robot file, and devices.yaml with a cable to the UHF reader. */
-export async function served(twin, scene, folder) {
-  const server = await start(twin, ["serve", scene, "--out", folder, "--no-cards", "--llrp", "127.0.0.1:0"], /./);
+/** `twin serve` of a scene and its robot file. \returns the process, and the paths of both files for sensobot */
+export async function served(twin, scene, folder, options) {
+  const server = await start(twin, ["serve", scene, "--out", folder, ...options], /./);
   const devices = join(folder, "devices.yaml");
   await until(() => existsSync(devices), devices);
-  const written = readFileSync(devices, "utf8");
+  const robot = join(folder, "robot.yaml");
+  writeFileSync(robot, execFileSync(twin, ["show", scene, "--robot"]));
+  return { child: server.child, ended: server.ended, devices, robot };
+}
+
+/** The same of a scene along ceiling tags, with a cable to the UHF reader. */
+export async function servedByCable(twin, scene, folder) {
+  const server = await served(twin, scene, folder, ["--no-cards", "--llrp", "127.0.0.1:0"]);
+  const written = readFileSync(server.devices, "utf8");
   const cable = await cableTo(Number(/llrp: "127\.0\.0\.1:(\d+)"/.exec(written)[1]));
   const cabled = join(folder, "cabled.yaml");
   writeFileSync(cabled, written.replace(/llrp: .*/, `llrp: "127.0.0.1:${cable.port}"`));
-  const robot = join(folder, "robot.yaml");
-  writeFileSync(robot, execFileSync(twin, ["show", scene, "--robot"]));
-  return { child: server.child, ended: server.ended, cable, devices: cabled, robot };
+  return { ...server, cable, devices: cabled };
 }
 
-/** Everything that a monitor tells somebody who comes now. */
+/** What a monitor tells somebody who comes now and stays for a second: of each key the newest. */
 export async function telemetry(url) {
   const stop = new AbortController();
   const told = [];
@@ -75,7 +81,8 @@ export async function telemetry(url) {
   } catch (error) {
     check(error.name === "AbortError", String(error));
   }
-  return told.join("").split("\n").filter((line) => line.startsWith("data: ")).map((line) => JSON.parse(line.slice(6)));
+  const messages = told.join("").split("\n").filter((line) => line.startsWith("data: ")).map((line) => JSON.parse(line.slice(6)));
+  return [...new Map(messages.map((each) => [each.key, each])).values()];
 }
 
 /** What stands in a page's head: how it goes. */

@@ -4,7 +4,7 @@
 import { mkdirSync, rmSync } from "node:fs";
 import { join } from "node:path";
 import { check, openBrowser, start } from "../../robot/telemetry/browser.mjs";
-import { checkEverySize, served, untilEvent, untilState } from "./served.mjs";
+import { checkEverySize, servedByCable, untilEvent, untilState } from "./served.mjs";
 
 const [twin, pages, out, root, sensobot] = process.argv.slice(2);
 const browser = await openBrowser(pages);
@@ -17,7 +17,7 @@ const port = (url) => new URL(url).port;
 const button = (page, words) => page.locator(".robots button").filter({ hasText: words });
 const pressed = async (page) => page.locator('.robots button[aria-pressed="true"]').textContent();
 
-const wires = await served(twin, join(root, "tests/twin/sensobot/two_tags.yaml"), join(out, "served"));
+const wires = await servedByCable(twin, join(root, "tests/twin/sensobot/two_tags.yaml"), join(out, "served"));
 try {
   // The room's monitor asks for its token, which the page never sees; the other is not there yet.
   const room = await runTwin("lesson_2x2.yaml", "room", "0.0.0.0:0");
@@ -62,6 +62,18 @@ try {
   // It ends in order: the outcome is said, and that nobody answers there now.
   check((await second.ended) === 0, `sensobot ended with ${await second.ended}`);
   await untilState(page, "^Run ended, not reached any more$");
+
+  // Two in one room are drawn together, and the legend says so.
+  const legend = () => page.locator(".legend li:visible").allTextContents();
+  check(!(await legend()).includes("Another robot of this room"), "one robot is taken for two");
+  const twins = await runTwin("lesson_2x2.yaml", "twins", `127.0.0.1:${port(at)}`);
+  await button(page, "lesson_2x2").nth(1).waitFor();
+  await page.waitForFunction(() => document.querySelector("#plan").dataset.tiles === "16");
+  await page.waitForFunction(() => [...document.querySelectorAll(".legend li")].some((row) => !row.hidden && row.textContent === "Another robot of this room"));
+  await button(page, `(127.0.0.1:${port(at)})`).waitFor();
+  await page.screenshot({ path: join(out, "one_room.png") });
+  twins.child.kill("SIGINT");
+  await twins.ended;
   const token = new URL(room.match[1].replace("0.0.0.0", "127.0.0.1")).searchParams.get("token");
   check(/^[0-9a-f]{32}$/.test(token) && !(await page.content()).includes(token), "the page knows the room's token");
   check(page.errors.length === 0, page.errors.join("\n"));

@@ -91,6 +91,12 @@ class Page {
     return this.model.robots.get(this.chosenRobot) ?? this.model.inOrder[0] ?? null;
   }
 
+  /** In the same room as the one that is shown. */
+  private get others(): Robot[] {
+    const robot = this.robot;
+    return this.model.inOrder.filter((other) => other !== robot && other.scene !== null && other.scene.scene === robot?.scene?.scene);
+  }
+
   private ask(): void {
     if (!this.dirty) {
       this.dirty = true;
@@ -117,7 +123,7 @@ class Page {
     document.title = `${robot.name}: SensoTwin monitor`;
     this.showRobots();
     this.roomButton.hidden = !scene;
-    this.legend.show(robot, this.withRoom);
+    this.legend.show(robot, this.withRoom, this.others.length > 0);
     this.panel.show(robot, this.theme);
     this.panel.showTag(this.target());
     this.canvas.setAttribute("aria-label", `Plan of ${robot.name}: ${robot.tiles.size} tiles, ${robot.objects.size} landmarks, ${robot.places.size} places, ${robot.ceiling.size} ceiling tags`);
@@ -268,7 +274,7 @@ class Page {
     const theme = this.theme;
     drawPlan(context, this.view, {
       robot,
-      others: this.model.inOrder.filter((other) => other !== robot && other.scene !== null && other.scene.scene === robot.scene?.scene),
+      others: this.others,
       theme,
       withRoom: this.withRoom,
       chosen: this.target(),

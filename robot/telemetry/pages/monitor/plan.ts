@@ -275,7 +275,7 @@ function drawOthers(context: Context, view: PlanView, { others, theme }: PlanPic
     if (pose) {
       robotGlyph(context, view, pose, other.card.radius_m, theme["soft-ink"], theme.plan);
       const at = view.toScreen(pose);
-      haloText(context, other.name, { x: at.x, y: at.y + 20 }, { colour: theme.ink, halo: theme.plan, px: 11 });
+      haloText(context, other.name, { x: at.x, y: at.y + Math.max(other.card.radius_m * view.scale, 6) + 12 }, { colour: theme.ink, halo: theme.plan, px: 11 });
     }
   }
 }

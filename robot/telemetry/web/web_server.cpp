@@ -7,7 +7,9 @@
 #include <unistd.h>
 
 #include <atomic>
+#include <condition_variable>
 #include <cstdint>
+#include <mutex>
 #include <thread>
 #include <utility>
 
@@ -27,7 +29,6 @@ constexpr std::chrono::milliseconds kStreamLook{250};
 /// Streams may finish what they have begun to say: how a run ended is said last. Chosen: a phone takes a run
 /// of an hour in this; a client that does not read must not hold up the end longer.
 constexpr std::chrono::milliseconds kLastWords{500};
-constexpr std::chrono::milliseconds kLastWordsLook{10};
 
 HttpRequest request_of(const httplib::Request& from) {
   HttpRequest request;
@@ -111,13 +112,18 @@ struct WebServer::State {
   void bind();
   void route();
   void stream(const EventStreamOpener& opener, const HttpRequest& request, httplib::Response& response);
+  /// \returns false: there are as many as there may be
+  bool begin_stream();
+  void end_stream();
 
   Site site;
   WebServerOptions options;
   Descriptor stop;
   LimitedServer server;
   std::string token;
-  std::atomic<std::size_t> streams{0};
+  std::mutex streams_mutex;
+  std::condition_variable stream_ended;
+  std::size_t streams{0};
   std::atomic<bool> stopping{false};
   std::thread thread;
 };
@@ -152,10 +158,25 @@ void WebServer::State::bind() {
                    .cookie_name = "sensotwin_" + std::to_string(options.address.port)});
 }
 
+bool WebServer::State::begin_stream() {
+  const std::lock_guard lock(streams_mutex);
+  if (streams >= options.streams) {
+    return false;
+  }
+  ++streams;
+  return true;
+}
+
+void WebServer::State::end_stream() {
+  // Told under the lock: whoever waits for the last one takes the whole server away.
+  const std::lock_guard lock(streams_mutex);
+  --streams;
+  stream_ended.notify_all();
+}
+
 void WebServer::State::stream(const EventStreamOpener& opener, const HttpRequest& request,
                               httplib::Response& response) {
-  if (streams.fetch_add(1) >= options.streams) {
-    streams.fetch_sub(1);
+  if (!begin_stream()) {
     put({.status = 503, .body = "too many event streams are open\n", .headers = {{"Retry-After", "5"}}},
         response);
     return;
@@ -164,7 +185,7 @@ void WebServer::State::stream(const EventStreamOpener& opener, const HttpRequest
   try {
     events = opener(request);
   } catch (...) {
-    streams.fetch_sub(1);
+    end_stream();
     throw;
   }
   const auto silent = std::make_shared<std::chrono::milliseconds>(0);
@@ -186,7 +207,7 @@ void WebServer::State::stream(const EventStreamOpener& opener, const HttpRequest
         }
         return news.empty() || sink.write(news.data(), news.size());
       },
-      [this](bool) { streams.fetch_sub(1); });
+      [this](bool) { end_stream(); });
 }
 
 void WebServer::State::route() {
@@ -227,8 +248,9 @@ WebServer::WebServer(Site site, const WebServerOptions& options)
 
 WebServer::~WebServer() {
   state_->stopping = true;
-  for (auto waited = kLastWordsLook; waited <= kLastWords && state_->streams > 0; waited += kLastWordsLook) {
-    std::this_thread::sleep_for(kLastWordsLook);
+  {
+    std::unique_lock lock(state_->streams_mutex);
+    state_->stream_ended.wait_for(lock, kLastWords, [this] { return state_->streams == 0; });
   }
   const std::uint64_t one = 1;
   (void)!::write(state_->stop.get(), &one, sizeof one);

@@ -100,7 +100,8 @@ class Run {
     }
     monitor_ = begin_monitor(*options_.monitor);
     say("monitor at " + monitor_->url());
-    tap_.emplace(monitor_->hub(), card_of(robot_.settings, robot_.file, "sensobot run"));
+    const std::string name = std::filesystem::path(robot_.file).stem().string();
+    tap_.emplace(monitor_->hub(), card_of(robot_.settings, name, "sensobot run"));
     recorder_.listen([this](Instant now, std::string_view event, std::initializer_list<EventField> fields) {
       tap_->heard(now, event, fields);
     });
@@ -124,6 +125,13 @@ class Run {
     const auto code = devices_.wait_for_all(clock_, paced(from_s(options_.wait_s)), options_.interruption,
                                             [this](std::string_view line) { say(std::string{line}); });
     begun_ = clock_.now();
+    if (code == ExitCode::kUnavailable) {
+      for (const DeviceState& device : devices_.states()) {
+        if (!device.up) {
+          recorder_.record(begun_, device);
+        }
+      }
+    }
     if (code) {
       figures_.outcome = *code == ExitCode::kUnavailable ? "device_missing" : "interrupted";
     }

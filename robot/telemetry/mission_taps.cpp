@@ -111,8 +111,7 @@ void ProgramTap::after_step(Instant now, const HallwayProgram& program) {
   if (std::exchange(changed_, false)) {
     show_places(program);
   }
-  if (until_pose_-- <= 0) {
-    until_pose_ = 6;
+  if (pose_turn_.is_now()) {
     show_way(program);
   }
   if (status_is_due(now, program.done())) {

@@ -170,11 +170,19 @@ void ProgramTap::sample(Instant now, std::string_view series, double value) {
   publish(key, "sample", std::move(body));
 }
 
+bool ProgramTap::PoseTurn::is_now() {
+  if (ticks_left_ > 0) {
+    --ticks_left_;
+    return false;
+  }
+  ticks_left_ = kPoseEvery - 1;
+  return true;
+}
+
 void ProgramTap::pose(Instant now, const Pose2& X_MR) {
-  if (until_pose_-- > 0) {
+  if (!pose_turn_.is_now()) {
     return;
   }
-  until_pose_ = kPoseEvery - 1;
   std::string body;
   append_json_fields(body,
                      {{"t", to_s(now)}, {"x", X_MR.p_m.x()}, {"y", X_MR.p_m.y()}, {"yaw", X_MR.yaw_rad}});
@@ -189,10 +197,9 @@ void ProgramTap::pose(Instant now, const Pose2& X_MR) {
 }
 
 void ProgramTap::truth(Instant now, const Pose2& X_WR) {
-  if (until_truth_-- > 0) {
+  if (!truth_turn_.is_now()) {
     return;
   }
-  until_truth_ = kPoseEvery - 1;
   std::string body;
   append_json_fields(body,
                      {{"t", to_s(now)}, {"x", X_WR.p_m.x()}, {"y", X_WR.p_m.y()}, {"yaw", X_WR.yaw_rad}});

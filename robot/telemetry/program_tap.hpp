@@ -68,6 +68,14 @@ class ProgramTap {
   void sample(Instant now, std::string_view series, double value);
 
  private:
+  /// A pose is shown every seventh tick: asked every tick, it says whether this is one.
+  class PoseTurn {
+   public:
+    [[nodiscard]] bool is_now();
+
+   private:
+    int ticks_left_{0};
+  };
   struct ShownTile {
     std::string state;
     unsigned blocked_sides{0};
@@ -98,13 +106,13 @@ class ProgramTap {
   };
   std::map<std::string, Series, std::less<>> series_;
   bool changed_{true};
-  int until_pose_{0};
+  PoseTurn pose_turn_;
+  PoseTurn truth_turn_;
   std::optional<double> status_s_;
   std::optional<double> base_s_;
   std::optional<Vec2> last_point_m_;
   std::int64_t points_{0};
   std::int64_t events_{0};
-  int until_truth_{0};
   bool done_{false};
 };
 

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "robot/telemetry/relay.hpp"
 
+#include "robot/output/event_log.hpp"
+
 namespace sensotwin::robot {
 namespace {
 
@@ -13,9 +15,16 @@ constexpr std::string_view kKey = ",\"key\":\"";
 Relay::Relay(TelemetryHub& hub, int id, const std::string& url)
     : hub_(hub),
       id_(std::to_string(id)),
+      origin_(page_url(url).origin),
       source_(
-          page_url(url), [this](std::string_view data) { pass_on(data); },
-          [this] { publish("link", ",\"key\":\"link\",\"k\":\"link\",\"up\":false}"); }) {}
+          page_url(url), [this](std::string_view data) { pass_on(data); }, [this](bool up) { tell(up); }) {}
+
+void Relay::tell(bool up) {
+  std::string body = ",\"key\":\"link\",\"k\":\"link\"";
+  append_json_fields(body, {{"up", up}, {"at", origin_}});
+  body += '}';
+  publish("link", body);
+}
 
 void Relay::publish(std::string_view key, std::string_view body) {
   std::string name = id_ + "/";
@@ -30,7 +39,6 @@ void Relay::pass_on(std::string_view data) {
   if (data == "{\"k\":\"reset\"}") {
     // What is known of it is of another run.
     publish("restarted", ",\"key\":\"restarted\",\"k\":\"restarted\"}");
-    publish("link", ",\"key\":\"link\",\"k\":\"link\",\"up\":true}");
     return;
   }
   const std::size_t comma = data.find(kKey);

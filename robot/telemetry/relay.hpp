@@ -19,9 +19,12 @@ class Relay {
  private:
   void pass_on(std::string_view data);
   void publish(std::string_view key, std::string_view body);
+  /// Whether its monitor answers, and where that is: never its token.
+  void tell(bool up);
 
   TelemetryHub& hub_;
   std::string id_;
+  std::string origin_;
   EventSource source_;  ///< last: its thread uses the others
 };
 

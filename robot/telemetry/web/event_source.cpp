@@ -7,6 +7,7 @@
 #include <chrono>
 #include <condition_variable>
 #include <mutex>
+#include <optional>
 #include <thread>
 #include <utility>
 
@@ -43,10 +44,12 @@ struct EventSource::State {
   void listen();
   bool hear(std::string_view bytes);
   void hear_line(std::string_view line);
+  void tell(bool up);
 
   PageUrl url;
   std::function<void(std::string_view)> take;
-  std::function<void()> lost;
+  std::function<void(bool)> link;
+  std::optional<bool> told;  ///< of the connection
   std::string pending;
   std::string last_id;
   std::atomic<bool> ending{false};
@@ -63,6 +66,13 @@ void EventSource::State::hear_line(std::string_view line) {
     last_id = line.substr(kId.size());
   } else if (line.starts_with(kData)) {
     take(line.substr(kData.size()));
+  }
+}
+
+void EventSource::State::tell(bool up) {
+  if (told != up) {
+    told = up;
+    link(up);
   }
 }
 
@@ -95,7 +105,13 @@ void EventSource::State::listen() {
   }
   pending.clear();
   (void)here.Get(
-      "/events", headers, [](const httplib::Response& response) { return response.status == 200; },
+      "/events", headers,
+      [this](const httplib::Response& response) {
+        if (response.status == 200) {
+          tell(true);
+        }
+        return response.status == 200;
+      },
       [this](const char* bytes, std::size_t size) {
         return hear({bytes, size});
       });
@@ -106,17 +122,18 @@ void EventSource::State::listen() {
 void EventSource::State::run() {
   while (!ending) {
     listen();
-    lost();
+    tell(false);
     std::unique_lock lock(mutex);
     end.wait_for(lock, kAgain, [this] { return ending.load(); });
   }
 }
 
-EventSource::EventSource(PageUrl url, std::function<void(std::string_view)> take, std::function<void()> lost)
+EventSource::EventSource(PageUrl url, std::function<void(std::string_view)> take,
+                         std::function<void(bool)> link)
     : state_(std::make_unique<State>()) {
   state_->url = std::move(url);
   state_->take = std::move(take);
-  state_->lost = std::move(lost);
+  state_->link = std::move(link);
   state_->thread = std::thread([state = state_.get()] { state->run(); });
 }
 

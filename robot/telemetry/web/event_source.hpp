@@ -20,8 +20,9 @@ struct PageUrl {
 /// connection breaks or is refused, and says what it got last.
 class EventSource {
  public:
-  /// \param take  each datum, in the source's thread  \param lost  told when the connection is gone
-  EventSource(PageUrl url, std::function<void(std::string_view)> take, std::function<void()> lost);
+  /// Both are told in the source's thread. \param take  each datum
+  /// \param link  whether the connection is there, at first and when that changes
+  EventSource(PageUrl url, std::function<void(std::string_view)> take, std::function<void(bool up)> link);
   ~EventSource();
   EventSource(const EventSource&) = delete;
   EventSource& operator=(const EventSource&) = delete;

@@ -7,7 +7,9 @@
 #include <unistd.h>
 
 #include <atomic>
+#include <condition_variable>
 #include <cstdint>
+#include <mutex>
 #include <thread>
 #include <utility>
 
@@ -24,6 +26,9 @@ namespace {
 constexpr int kBacklog = 128;
 /// A stream looks so often whether the server stops. Chosen: nobody waits noticeably.
 constexpr std::chrono::milliseconds kStreamLook{250};
+/// Streams may finish what they have begun to say: how a run ended is said last. Chosen: a phone takes a run
+/// of an hour in this; a client that does not read must not hold up the end longer.
+constexpr std::chrono::milliseconds kLastWords{500};
 
 HttpRequest request_of(const httplib::Request& from) {
   HttpRequest request;
@@ -107,13 +112,18 @@ struct WebServer::State {
   void bind();
   void route();
   void stream(const EventStreamOpener& opener, const HttpRequest& request, httplib::Response& response);
+  /// \returns false: there are as many as there may be
+  bool begin_stream();
+  void end_stream();
 
   Site site;
   WebServerOptions options;
   Descriptor stop;
   LimitedServer server;
   std::string token;
-  std::atomic<std::size_t> streams{0};
+  std::mutex streams_mutex;
+  std::condition_variable stream_ended;
+  std::size_t streams{0};
   std::atomic<bool> stopping{false};
   std::thread thread;
 };
@@ -148,10 +158,25 @@ void WebServer::State::bind() {
                    .cookie_name = "sensotwin_" + std::to_string(options.address.port)});
 }
 
+bool WebServer::State::begin_stream() {
+  const std::lock_guard lock(streams_mutex);
+  if (streams >= options.streams) {
+    return false;
+  }
+  ++streams;
+  return true;
+}
+
+void WebServer::State::end_stream() {
+  // Told under the lock: whoever waits for the last one takes the whole server away.
+  const std::lock_guard lock(streams_mutex);
+  --streams;
+  stream_ended.notify_all();
+}
+
 void WebServer::State::stream(const EventStreamOpener& opener, const HttpRequest& request,
                               httplib::Response& response) {
-  if (streams.fetch_add(1) >= options.streams) {
-    streams.fetch_sub(1);
+  if (!begin_stream()) {
     put({.status = 503, .body = "too many event streams are open\n", .headers = {{"Retry-After", "5"}}},
         response);
     return;
@@ -160,17 +185,21 @@ void WebServer::State::stream(const EventStreamOpener& opener, const HttpRequest
   try {
     events = opener(request);
   } catch (...) {
-    streams.fetch_sub(1);
+    end_stream();
     throw;
   }
   const auto silent = std::make_shared<std::chrono::milliseconds>(0);
   response.set_content_provider(
       "text/event-stream",
       [this, events, silent](std::size_t, httplib::DataSink& sink) {
-        if (stopping || events->ended()) {
+        const bool last_words = stopping;
+        if (events->ended()) {
           return false;
         }
-        std::string news = events->next(kStreamLook);
+        std::string news = events->next(last_words ? std::chrono::milliseconds{0} : kStreamLook);
+        if (last_words && news.empty()) {
+          return false;
+        }
         *silent = news.empty() ? *silent + kStreamLook : std::chrono::milliseconds{0};
         if (*silent >= options.heartbeat) {
           *silent = std::chrono::milliseconds{0};
@@ -178,7 +207,7 @@ void WebServer::State::stream(const EventStreamOpener& opener, const HttpRequest
         }
         return news.empty() || sink.write(news.data(), news.size());
       },
-      [this](bool) { streams.fetch_sub(1); });
+      [this](bool) { end_stream(); });
 }
 
 void WebServer::State::route() {
@@ -219,6 +248,10 @@ WebServer::WebServer(Site site, const WebServerOptions& options)
 
 WebServer::~WebServer() {
   state_->stopping = true;
+  {
+    std::unique_lock lock(state_->streams_mutex);
+    state_->stream_ended.wait_for(lock, kLastWords, [this] { return state_->streams == 0; });
+  }
   const std::uint64_t one = 1;
   (void)!::write(state_->stop.get(), &one, sizeof one);
   state_->server.stop();

@@ -33,7 +33,8 @@ class WebServer {
   /// Binds and begins to serve. When bound to anything but loopback it asks for a token of its own making.
   /// \throws WebError: the address cannot be had
   WebServer(Site site, const WebServerOptions& options);
-  /// Ends all connections and waits for the threads: some tenths of a second.
+  /// Streams send what there is to be sent, for half a second at most; then all connections are ended and the
+  /// threads waited for.
   ~WebServer();
   WebServer(const WebServer&) = delete;
   WebServer& operator=(const WebServer&) = delete;

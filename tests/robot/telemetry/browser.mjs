@@ -42,9 +42,10 @@ export async function openBrowser(pages) {
   const axe = require("axe-core").source;
   return {
     context,
-    /** A page whose errors fail the test when close() is called. */
+    /** A page, and `errors` that it met. With `touch` it is on a phone of 390 by 844 points, 2 pixels each. */
     async page(options = {}) {
-      const page = await context.newPage();
+      const phone = { viewport: { width: 390, height: 844 }, hasTouch: true, isMobile: true, deviceScaleFactor: 2 };
+      const page = await (options.touch ? await context.browser().newContext(phone) : context).newPage();
       const errors = [];
       page.on("pageerror", (error) => errors.push(String(error)));
       page.on("console", (message) => message.type() === "error" && errors.push(message.text()));

@@ -7,6 +7,7 @@
 #include <memory>
 #include <string>
 #include <thread>
+#include <utility>
 
 #include "robot/telemetry/monitor.hpp"
 #include "robot/telemetry/program_tap.hpp"
@@ -65,6 +66,37 @@ TEST(Relay, ComesBackToAMonitorThatWasStartedAgainAndForgetsTheOldRun) {
   EXPECT_THAT(text, HasSubstr("second"));
   EXPECT_THAT(text, HasSubstr(R"("k":"restarted")"));
   EXPECT_THAT(text, Not(HasSubstr("first")));
+}
+
+TEST(Relay, SaysThatAMonitorAnswersAgainWhoseRunWentOnMeanwhile) {
+  const auto serve = [](const TelemetryHub& hub, std::uint16_t port) {
+    Site site({});
+    site.on_events("/events", [&hub](const HttpRequest& request) {
+      return hub.stream(request.header("Last-Event-ID"));
+    });
+    return std::make_unique<WebServer>(std::move(site), WebServerOptions{.address = {.port = port}});
+  };
+  TelemetryHub robot("run");
+  ProgramTap tap(robot, card("robot"));
+  auto server = serve(robot, 0);
+  const std::uint16_t port = server->address().port;
+  TelemetryHub page("page");
+  const Relay relay(page, 0, server->url());
+  const std::string there = R"("up":true,"at":"http://127.0.0.1:)" + std::to_string(port) + "\"";
+  EXPECT_THAT(told(page, there), HasSubstr(there));
+  EXPECT_THAT(told(page, R"("name":"robot")"), HasSubstr(R"("name":"robot")"));
+  server.reset();
+  EXPECT_THAT(told(page, R"("up":false)"), HasSubstr(R"("up":false)"));
+  server = serve(robot, port);
+  EXPECT_THAT(told(page, there), HasSubstr(there));
+}
+
+TEST(Relay, SaysWhereAMonitorIsThatDoesNotAnswerAndNeverItsToken) {
+  TelemetryHub page("page");
+  const Relay relay(page, 0, "http://127.0.0.1:1/?token=secret");
+  const std::string text = told(page, "127.0.0.1:1");
+  EXPECT_THAT(text, HasSubstr(R"("up":false,"at":"http://127.0.0.1:1")"));
+  EXPECT_THAT(text, Not(HasSubstr("secret")));
 }
 
 TEST(Relay, TakesAddressesOfMonitorsOnly) {

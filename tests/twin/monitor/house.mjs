@@ -2,9 +2,9 @@
 // house.mjs TWIN PAGES OUT ROOT: while `twin run` maps the house at full speed, the page shows all 207 tiles and every
 // event, is the picture that floorplan.png is, reads well to people who do not see it, and comes back after a break.
 import { readFileSync, rmSync, mkdirSync } from "node:fs";
-import { createRequire } from "node:module";
 import { join } from "node:path";
 import { check, openBrowser, start } from "../../robot/telemetry/browser.mjs";
+import { checkEverySize } from "./served.mjs";
 
 const [twin, pages, out, root] = process.argv.slice(2);
 const browser = await openBrowser(pages);
@@ -119,21 +119,7 @@ try {
   await page.waitForFunction((was) => JSON.parse(document.querySelector("#plan").dataset.view).scale > was, before);
   await page.getByRole("button", { name: "Fit the plan" }).click();
 
-  // Nothing that axe-core knows of is wrong, in light and dark, on a desk and on a phone.
-  const phone = { width: 390, height: 844 };
-  for (const [name, options] of [["desktop", {}], ["dark", { colorScheme: "dark" }], ["phone", { viewport: phone }], ["phone_dark", { viewport: phone, colorScheme: "dark", reducedMotion: "reduce" }]]) {
-    const each = await browser.page(options);
-    await each.goto(run.match[1]);
-    await untilTiles(each, 207);
-    await each.waitForTimeout(500);
-    const violations = await browser.violations(each);
-    check(violations.length === 0, `axe-core, ${name}:\n${violations.join("\n")}`);
-    const wide = await each.evaluate(() => document.documentElement.scrollWidth - document.documentElement.clientWidth);
-    check(wide <= 0, `${name}: the page is ${wide} pixels wider than the screen`);
-    await each.screenshot({ path: join(out, `${name}.png`) });
-    check(each.errors.length === 0, `${name}: ${each.errors.join("\n")}`);
-    await each.close();
-  }
+  await checkEverySize(browser, run.match[1], out, "house", (each) => untilTiles(each, 207));
   check(page.errors.length === 0, page.errors.join("\n"));
   await late.close();
 

@@ -4,6 +4,7 @@
 import { mkdirSync, rmSync } from "node:fs";
 import { join } from "node:path";
 import { check, openBrowser, start } from "../../robot/telemetry/browser.mjs";
+import { untilState } from "./served.mjs";
 
 const [twin, pages, out, root] = process.argv.slice(2);
 const browser = await openBrowser(pages);
@@ -67,6 +68,22 @@ try {
     page.errors.splice(0, page.errors.length, ...page.errors.filter((error) => !error.includes("401")));  // the first try
     check(!(await page.evaluate(() => document.cookie)).includes("sensotwin"), "a script can read the token");
   });
+
+  // Started again it has another token, which the page cannot know: it says what to do.
+  const lesson = (name, address) => start(twin, ["run", join(root, "scenes/lesson_2x2.yaml"), "--no-pictures", `--monitor=${address}`, "--out", join(out, name)], /monitor at (http\S+)/);
+  const until16 = (page) => page.waitForFunction(() => document.querySelector("#plan")?.dataset.tiles === "16", null, { timeout: 20_000 });
+  const before = await lesson("token_before", "0.0.0.0:0");
+  const page = await browser.page();
+  await page.goto(before.match[1].replace("0.0.0.0", "127.0.0.1"));
+  await until16(page);
+  before.child.kill("SIGINT");
+  await before.ended;
+  const after = await lesson("token_after", `0.0.0.0:${new URL(before.match[1]).port}`);
+  await untilState(page, "^Another run: open the address that it printed$");
+  await page.goto(after.match[1].replace("0.0.0.0", "127.0.0.1"));
+  await until16(page);
+  after.child.kill("SIGINT");
+  await after.ended;
   console.log("hallways, ceiling tags, a served scene and the token");
 } finally {
   await browser.close();

@@ -22,7 +22,7 @@ export class Chart {
   private readonly plotAt = el("div", { class: "plot", role: "img" });
   private readonly summary = el("p", { class: "soft figures small" });
   private plot: uPlot | null = null;
-  private shownLength = -1;
+  private shown = "";
 
   constructor(readonly kind: ChartKind) {
     this.element = el("section", { class: "card", "aria-label": kind.title }, el("h2", {}, kind.title), this.plotAt, this.summary);
@@ -39,21 +39,22 @@ export class Chart {
   forget(): void {
     this.plot?.destroy();
     this.plot = null;
-    this.shownLength = -1;
+    this.shown = "";
   }
 
-  show(samples: readonly { t: number; v: number }[], theme: Theme): void {
+  /** \param run  tells these samples from those of another robot or run */
+  show(run: number, samples: readonly { t: number; v: number }[], theme: Theme): void {
     const last = samples.at(-1);
     if (!last || samples.length < 2) {
       this.element.hidden = true;
       return;
     }
     this.element.hidden = false;
-    const length = samples.length + last.t;
-    if (length === this.shownLength) {
+    const key = `${run} ${samples.length} ${last.t}`;
+    if (key === this.shown) {
       return;
     }
-    this.shownLength = length;
+    this.shown = key;
     const words = `${clock(last.t)}: ${Number(last.v.toFixed(1))} ${this.kind.unit}`;
     setText(this.summary, words);
     this.plotAt.setAttribute("aria-label", `${this.kind.title}, ${samples.length} points; last, at ${words}`);

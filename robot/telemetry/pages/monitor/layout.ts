@@ -73,10 +73,14 @@ export function poseOnWay(robot: Robot, points: Map<string, Point>): Pose | null
   if (!way || !from) {
     return null;
   }
-  const step = unit[way.leaving ?? way.axis ?? "N"] ?? { x: 0, y: 1 };
+  const side = way.leaving !== undefined ? unit[way.leaving] : undefined;
   const limit = way.to !== undefined ? points.get(way.to) : undefined;
   const most = limit ? Math.hypot(limit.x - from.x, limit.y - from.y) : way.way_m;
-  const gone = way.leaving ? Math.min(way.way_m, most) : 0;
+  const axis = Math.PI / 2 + (way.axis ?? 0);
+  // Along the hallway as it is drawn, which a compass point names only roughly.
+  const drawn = limit && most > 0 ? { x: (limit.x - from.x) / most, y: (limit.y - from.y) / most } : undefined;
+  const step = (side && drawn) ?? side ?? { x: Math.cos(axis), y: Math.sin(axis) };
+  const gone = side ? Math.min(way.way_m, most) : 0;
   const yaw = way.heading !== undefined ? way.heading + Math.PI / 2 : Math.atan2(step.y, step.x);
   return { x: from.x + step.x * gone, y: from.y + step.y * gone, yaw, t: robot.now };
 }

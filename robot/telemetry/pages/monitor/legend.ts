@@ -26,7 +26,8 @@ const rhombus = (kind: string): [string, Record<string, string>] => ["path", { d
 interface Row {
   words: string;
   mark: Element;
-  shown: (robot: Robot, withRoom: boolean) => boolean;
+  /** Of this robot; `others`: whether some are in the same room. */
+  shown: (robot: Robot, withRoom: boolean, others: boolean) => boolean;
 }
 
 const ofMap = (robot: Robot) => robot.card.mission === "map";
@@ -41,20 +42,21 @@ const rows: Row[] = [
   { words: "Landmark tag, where it was read", mark: swatch(rhombus("landmark")), shown: ofMap },
   { words: "Furniture tag, where it was read", mark: swatch(rhombus("tag")), shown: (robot) => [...robot.objects.values()].some((object) => object.event === "furniture_seen") },
   { words: "Robot, as it believes", mark: swatch(["circle", { cx: "12", cy: "12", r: "9", class: "robot" }], ["path", { d: "M10 8 L19 12 L10 16 Z", class: "nose" }]), shown: (robot) => robot.card.mission !== "serve" },
+  { words: "Another robot of this room", mark: swatch(["circle", { cx: "12", cy: "12", r: "9", class: "other" }], ["path", { d: "M10 8 L19 12 L10 16 Z", class: "nose" }]), shown: (_robot, _withRoom, others) => others },
   { words: "Robot's way, as it believes", mark: swatch(line("trail")), shown: (robot) => robot.card.mission === "map" || robot.card.mission === "phase" },
   { words: "Robot in truth (twin only)", mark: swatch(["circle", { cx: "12", cy: "12", r: "9", class: "truth" }]), shown: (robot, withRoom) => withRoom && robot.truth !== null },
   { words: "True room (twin only)", mark: swatch(["rect", { x: "3", y: "6", width: "18", height: "12", class: "room" }]), shown: (robot, withRoom) => withRoom && robot.scene !== null },
   { words: "Ideal path, true ceiling tags (twin only)", mark: swatch(line("ideal", "16"), ["rect", { x: "8", y: "3", width: "8", height: "8", class: "true-tag" }]), shown: (robot, withRoom) => withRoom && (robot.scene?.ceiling.length ?? 0) > 0 },
 ];
 
-export function legend(): { element: HTMLElement; show: (robot: Robot, withRoom: boolean) => void } {
+export function legend(): { element: HTMLElement; show: (robot: Robot, withRoom: boolean, others: boolean) => void } {
   const items = rows.map((row) => ({ row, item: el("li", {}, row.mark as HTMLElement, el("span", {}, row.words)) }));
   const element = el("section", { class: "legend-strip", "aria-label": "Legend" }, el("h2", {}, "Legend"), el("ul", { class: "legend" }, ...items.map(({ item }) => item)));
   return {
     element,
-    show: (robot, withRoom) => {
+    show: (robot, withRoom, others) => {
       for (const { row, item } of items) {
-        item.hidden = !row.shown(robot, withRoom);
+        item.hidden = !row.shown(robot, withRoom, others);
       }
     },
   };

@@ -8,13 +8,16 @@ import { followTheme, type Theme } from "../common/theme";
 import { believedPose, boxOf } from "./layout";
 import { legend } from "./legend";
 import { Model, type Robot } from "./model";
-import { Panel, stateWords } from "./panel";
+import { briefState, Panel, stateWords } from "./panel";
 import { drawPlan } from "./plan";
 import { listen, type Connection } from "./stream";
 import { targetsOf, type Target } from "./targets";
 
 /** Screen pixels within which a pointer means a tag. Chosen: half a finger. */
 const reach_px = 22;
+
+/** For those that nobody gave a title. */
+const missionWords: Record<string, string> = { map: "maps floor tags", hallway: "finds its way in hallways", phase: "follows ceiling tags" };
 
 class Page {
   private readonly model = new Model();
@@ -40,7 +43,7 @@ class Page {
   private shownBox = "";
 
   constructor(root: HTMLElement) {
-    this.roomButton = el("button", { type: "button", "aria-pressed": "true", onclick: () => this.toggleRoom() }, "True room");
+    this.roomButton = el("button", { type: "button", "aria-label": "True room", "aria-pressed": "true", onclick: () => this.toggleRoom() }, el("span", { class: "wide" }, "True "), el("span", { class: "short" }, "room"));
     this.followButton = el("button", { type: "button", "aria-pressed": "false", onclick: () => this.toggleFollow() }, "Follow");
     this.tools = this.toolbar();
     root.append(
@@ -85,7 +88,13 @@ class Page {
   }
 
   private get robot(): Robot | null {
-    return this.model.robots.get(this.chosenRobot) ?? this.model.robots.values().next().value ?? null;
+    return this.model.robots.get(this.chosenRobot) ?? this.model.inOrder[0] ?? null;
+  }
+
+  /** In the same room as the one that is shown. */
+  private get others(): Robot[] {
+    const robot = this.robot;
+    return this.model.inOrder.filter((other) => other !== robot && other.scene !== null && other.scene.scene === robot?.scene?.scene);
   }
 
   private ask(): void {
@@ -108,17 +117,19 @@ class Page {
       return;
     }
     const { card, scene } = robot;
-    setText(this.title, card.title !== "" ? card.title : card.name);
-    setText(this.subtitle, [card.name, scene ? `seed ${scene.seed}` : "", card.source].filter((part) => part !== "").join(" \u00b7 "));
-    document.title = `${card.name}: SensoTwin monitor`;
+    const title = card.title !== "" ? card.title : robot.name;
+    setText(this.title, title);
+    setText(this.subtitle, [title === robot.name ? missionWords[card.mission] ?? "" : robot.name, scene ? `seed ${scene.seed}` : "", card.source].filter((part) => part !== "").join(" \u00b7 "));
+    document.title = `${robot.name}: SensoTwin monitor`;
     this.showRobots();
     this.roomButton.hidden = !scene;
-    this.legend.show(robot, this.withRoom);
+    this.legend.show(robot, this.withRoom, this.others.length > 0);
     this.panel.show(robot, this.theme);
     this.panel.showTag(this.target());
-    this.canvas.setAttribute("aria-label", `Plan of ${card.name}: ${robot.tiles.size} tiles, ${robot.objects.size} landmarks, ${robot.places.size} places, ${robot.ceiling.size} ceiling tags`);
+    this.canvas.setAttribute("aria-label", `Plan of ${robot.name}: ${robot.tiles.size} tiles, ${robot.objects.size} landmarks, ${robot.places.size} places, ${robot.ceiling.size} ceiling tags`);
     this.canvas.dataset["tiles"] = String(robot.tilesFound);
     this.canvas.dataset["events"] = String(robot.events.size);
+    this.canvas.dataset["trail"] = String(robot.trail.size);
     this.refit();
     const pose = believedPose(robot);
     if (this.following && pose) {
@@ -129,15 +140,27 @@ class Page {
   }
 
   private showRobots(): void {
-    const all = [...this.model.robots.values()];
+    const all = this.model.inOrder;
     this.robots.hidden = all.length < 2;
     if (this.robots.childElementCount !== all.length) {
       this.robots.replaceChildren(...all.map((robot) =>
-        el("button", { type: "button", "data-robot": robot.id, onclick: () => this.choose(robot.id) }, robot.card.name)));
+        el("button", { type: "button", onclick: () => this.choose(robot.id) },
+          el("span", { class: "mark", "aria-hidden": "true" }), el("span", { class: "name" }), el("span", { class: "doing" }))));
     }
-    for (const button of this.robots.querySelectorAll("button")) {
-      button.setAttribute("aria-pressed", String(Number(button.dataset["robot"]) === (this.robot?.id ?? -1)));
-    }
+    all.forEach((robot, i) => {
+      const button = this.robots.children[i];
+      const [mark, name, doing] = button?.children ?? [];
+      if (!button || !mark || !name || !doing) {
+        return;
+      }
+      const state = briefState(robot);
+      // Two of one name are told apart by where they are.
+      const twice = robot.at !== "" && all.some((other) => other !== robot && other.name === robot.name);
+      setText(mark, state.mark);
+      setText(name, twice ? `${robot.name} (${robot.at.replace("http://", "")})` : robot.name);
+      setText(doing, state.text);
+      button.setAttribute("aria-pressed", String(robot === this.robot));
+    });
   }
 
   private choose(id: number): void {
@@ -251,7 +274,7 @@ class Page {
     const theme = this.theme;
     drawPlan(context, this.view, {
       robot,
-      others: [...this.model.robots.values()].filter((other) => other !== robot && other.scene !== null && other.scene.scene === robot.scene?.scene),
+      others: this.others,
       theme,
       withRoom: this.withRoom,
       chosen: this.target(),

@@ -40,7 +40,8 @@ export interface Way {
   place: string;
   way_m: number;
   heading?: number;
-  axis?: string;
+  /** Of the hallway that it is in: radians, counter-clockwise from the plan's north, as heading. */
+  axis?: number;
   leaving?: string;
   to?: string;
 }
@@ -83,7 +84,7 @@ export interface Card {
 type Figures = Record<string, unknown>;
 
 export class Robot {
-  card: Card = { name: "robot", title: "", source: "", mission: "map", tile_m: 0.508, radius_m: 0.17, goal: "" };
+  card: Card = { name: "", title: "", source: "", mission: "map", tile_m: 0.508, radius_m: 0.17, goal: "" };
   scene: Scene | null = null;
   /** Tiles that can be reached, where a twin knows it. */
   total: number | null = null;
@@ -101,6 +102,10 @@ export class Robot {
   readonly series = new Map<string, Map<number, { t: number; v: number }>>();
   /** Of a robot whose monitor this program reads: whether that one answers. */
   linked = true;
+  /** Where that monitor is. */
+  at = "";
+  /** Of the machine: what is wrong with each device that is not there. */
+  readonly gone = new Map<string, string>();
   status: Figures = {};
   base: Figures = {};
   ended: { t: number; outcome: string } | null = null;
@@ -108,6 +113,10 @@ export class Robot {
 
   constructor(readonly id: number) {}
 
+  /** As its card says; before that, where it is looked for. */
+  get name(): string {
+    return this.card.name !== "" ? this.card.name : this.at !== "" ? this.at.replace("http://", "") : "robot";
+  }
   get tilesFound(): number {
     let found = 0;
     for (const tile of this.tiles.values()) {
@@ -149,6 +158,10 @@ function pose(of: Message): Pose {
 export class Model {
   readonly robots = new Map<number, Robot>();
 
+  get inOrder(): Robot[] {
+    return [...this.robots.values()].sort((a, b) => a.id - b.id);
+  }
+
   robot(id: number): Robot {
     const known = this.robots.get(id);
     if (known) {
@@ -167,7 +180,8 @@ export class Model {
       return;
     }
     if (message.k === "restarted") {
-      this.robots.set(num(message, "r"), new Robot(num(message, "r")));
+      const old = this.robot(num(message, "r"));
+      this.robots.set(old.id, Object.assign(new Robot(old.id), { linked: old.linked, at: old.at }));
     }
     const robot = this.robot(num(message, "r"));
     if (typeof message["t"] === "number" && message.k !== "tile") {
@@ -183,6 +197,7 @@ const takers: Record<string, (robot: Robot, of: Message) => void> = {
   },
   link: (robot, of) => {
     robot.linked = of["up"] === true;
+    robot.at = text(of, "at");
   },
   robot: (robot, of) => {
     robot.card = of as unknown as Card;
@@ -227,7 +242,14 @@ const takers: Record<string, (robot: Robot, of: Message) => void> = {
     robot.objects.set(String(event.of["tag"]), event);
   },
   event: (robot, of) => {
-    robot.events.set(num(of, "n"), of as unknown as LogEvent);
+    const event = of as unknown as LogEvent;
+    robot.events.set(event.n, event);
+    const device = event.of["device"];
+    if (event.event === "device_gone") {
+      robot.gone.set(String(device), String(event.of["why"] ?? ""));
+    } else if (event.event === "device_there") {
+      robot.gone.delete(String(device));
+    }
     forgetOld(robot.events, num(of, "n"), eventsKept);
   },
   place: (robot, of) => {

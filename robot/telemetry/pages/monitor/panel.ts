@@ -6,7 +6,7 @@ import { Chart } from "./chart";
 import type { Robot } from "./model";
 import type { Connection } from "./stream";
 import type { Target } from "./targets";
-import { clock, markOf, sentence, severityOf } from "./words";
+import { clock, markOf, reason, sentence, severityOf } from "./words";
 
 /** Lines of the list that are shown: further ones are counted. */
 const linesShown = 200;
@@ -14,6 +14,15 @@ const linesShown = 200;
 function number(of: Record<string, unknown>, key: string): number | null {
   const value = of[key];
   return typeof value === "number" ? value : null;
+}
+
+/** "1 event", "2 events" */
+function counted(count: number, of: string): string {
+  return `${count} ${of}${count === 1 ? "" : "s"}`;
+}
+
+function capital(text: string): string {
+  return text.charAt(0).toUpperCase() + text.slice(1);
 }
 
 /** Rows of a name and a value, kept and rewritten in place. */
@@ -29,15 +38,14 @@ class Facts {
         this.rows.delete(name);
       }
     }
-    for (const [name, text] of facts) {
-      let value = this.rows.get(name);
-      if (!value) {
-        value = el("dd", { class: "figures" });
-        this.element.append(el("div", {}, el("dt", {}, name), value));
+    facts.forEach(([name, text], i) => {
+      const value = this.rows.get(name) ?? el("dd", { class: "figures" });
+      if (!this.rows.has(name)) {
         this.rows.set(name, value);
+        this.element.insertBefore(el("div", {}, el("dt", {}, name), value), this.element.children[i] ?? null);
       }
       setText(value, text);
-    }
+    });
   }
 }
 
@@ -64,7 +72,9 @@ export class Panel {
     new Chart({ title: "Battery over time", series: "battery", unit: "%", least: 100 }),
   ];
   private newestShown = -1;
-  private shownRobot = -1;
+  private shownRobot: Robot | null = null;
+  /** Counts the robots and runs that were shown. */
+  private run = 0;
 
   constructor() {
     this.batteryCard = el("section", { class: "card", "aria-label": "Battery" }, el("h2", {}, "Battery"), this.batteryText, this.batteryBar, this.battery.element);
@@ -80,12 +90,18 @@ export class Panel {
   }
 
   show(robot: Robot, theme: Theme): void {
+    if (robot !== this.shownRobot) {
+      this.shownRobot = robot;
+      this.run += 1;
+      this.newestShown = -1;
+      this.list.replaceChildren();
+    }
     this.showProgress(robot);
     this.showBattery(robot);
     this.showWires(robot);
     this.showEvents(robot);
     for (const chart of this.charts) {
-      chart.show(robot.samples(chart.kind.series), theme);
+      chart.show(this.run, robot.samples(chart.kind.series), theme);
     }
   }
 
@@ -105,7 +121,9 @@ export class Panel {
     };
     const count = (name: string, key: string) => add(name, number(status, key)?.toString() ?? null);
     this.bar.hidden = true;
-    if (card.mission === "map") {
+    if (Object.keys(status).length === 0) {
+      setText(this.big, robot.ended ? "Ended before it began" : card.source === "sensobot run" ? "Waiting for its devices" : "Nothing heard yet");
+    } else if (card.mission === "map") {
       const total = robot.total ?? 0;
       setText(this.big, total > 0 ? `${robot.tilesFound} of ${total} tiles` : `${robot.tilesFound} tiles`);
       this.bar.hidden = total === 0;
@@ -171,48 +189,49 @@ export class Panel {
       ["card_failed", "Card readers: exchanges failed"],
       ["compass_corrupt", "Compass: sentences corrupt"],
     ];
-    const facts = names.flatMap(([key, name]): [string, string][] => {
+    const gone = [...robot.gone].map(([device, why]): [string, string] => [`${capital(device)} is gone`, why]);
+    const counts = names.flatMap(([key, name]): [string, string][] => {
       const value = number(robot.status, key);
       return value === null ? [] : [[name, value.toString()]];
     });
     const wrong = names.reduce((sum, [key]) => sum + (number(robot.status, key) ?? 0), 0);
     const troubles = [...robot.events.values()].filter((event) => severityOf(event) === "bad").length;
-    const word = facts.length === 0 ? "Nothing known yet" : wrong + troubles === 0 ? "None so far" : `${wrong} on the wires, ${troubles} serious events`;
+    const facts = [...gone, ...counts];
+    const word = facts.length === 0 ? "Nothing known yet" : wrong + troubles === 0 ? "None so far" : `${counted(wrong, "error")}, ${counted(troubles, "serious event")}`;
     this.wiresCard.hidden = robot.card.mission === "serve";
     setText(this.wiresWord, word);
+    this.wiresWord.classList.toggle("bad", gone.length > 0);
     this.wires.show(facts);
   }
 
   private showEvents(robot: Robot): void {
     const events = robot.eventsInOrder;
     const newest = events.at(-1)?.n ?? -1;
-    if (newest === this.newestShown && robot.id === this.shownRobot) {
+    if (newest === this.newestShown && newest >= 0) {
       return;
-    }
-    if (robot.id !== this.shownRobot || newest < this.newestShown) {
-      this.list.replaceChildren();
-      this.newestShown = -1;
-      this.shownRobot = robot.id;
     }
     const fresh = events.filter((event) => event.n > this.newestShown).slice(-linesShown);
     this.newestShown = newest;
     const lines = fresh.reverse().map((event) => {
       const severity = severityOf(event);
-      return el("li", { class: severity }, el("span", { class: "mark", "aria-hidden": "true" }, markOf(severity)), el("span", { class: "when figures" }, clock(event.t)), el("span", { class: "what" }, sentence(event)));
+      return el("li", { class: severity }, el("span", { class: "mark", "aria-hidden": "true" }, markOf(severity)), el("span", { class: "when figures" }, clock(event.t)), el("span", { class: "what" }, sentence(event), el("span", { class: "why" }, reason(event))));
     });
     this.list.prepend(...lines);
     while (this.list.childElementCount > linesShown) {
       this.list.lastElementChild?.remove();
     }
-    setText(this.listCount, `${newest + 1} events${newest + 1 > linesShown ? `, the last ${linesShown} are shown` : ""}`);
+    setText(this.listCount, `${counted(newest + 1, "event")}${newest + 1 > linesShown ? `, the last ${linesShown} are shown` : ""}`);
   }
 }
 
 /** What is happening, in two words, for the head of the page. */
 export function stateWords(robot: Robot | null, connection: Connection): { text: string; kind: string } {
+  if (connection === "refused") {
+    return { text: "Another run: open the address that it printed", kind: "bad" };
+  }
   if (robot?.ended) {
-    const good = robot.ended.outcome === "done";
-    return { text: good ? "Run ended" : `Run ended: ${robot.ended.outcome.replaceAll("_", " ")}`, kind: good ? "good" : "warn" };
+    const away = connection === "lost" ? ", waiting for the next" : robot.linked ? "" : ", not reached any more";
+    return { text: `Run ended${outcomeWords(robot)}${away}`, kind: robot.ended.outcome === "done" ? "good" : "warn" };
   }
   if (connection === "live" && robot && !robot.linked) {
     return { text: "Robot not reached, trying again", kind: "bad" };
@@ -220,5 +239,27 @@ export function stateWords(robot: Robot | null, connection: Connection): { text:
   if (connection === "lost") {
     return { text: "Connection lost, trying again", kind: "bad" };
   }
-  return connection === "live" && robot ? { text: "Live", kind: "good" } : { text: "Connecting", kind: "news" };
+  if (connection !== "live" || !robot) {
+    return { text: "Connecting", kind: "news" };
+  }
+  const gone = [...robot.gone.keys()];
+  const which = gone.length === 1 ? `${gone[0]} is gone` : `${gone.length} devices are gone`;
+  return gone.length > 0 ? { text: `Live, but ${which}`, kind: "bad" } : { text: "Live", kind: "good" };
+}
+
+function outcomeWords(robot: Robot): string {
+  const outcome = robot.ended?.outcome ?? "done";
+  return outcome === "done" ? "" : `: ${outcome.replaceAll("_", " ")}`;
+}
+
+/** The same of one robot among several, for its button. */
+export function briefState(robot: Robot): { text: string; mark: string } {
+  if (!robot.linked) {
+    return { text: "not reached", mark: markOf("bad") };
+  }
+  if (robot.ended) {
+    const good = robot.ended.outcome === "done";
+    return { text: good ? "ended" : robot.ended.outcome.replaceAll("_", " "), mark: markOf(good ? "good" : "warn") };
+  }
+  return robot.gone.size > 0 ? { text: "a device is gone", mark: markOf("bad") } : { text: "live", mark: markOf("news") };
 }

@@ -244,7 +244,9 @@ function drawCeiling(context: Context, view: PlanView, { robot, theme }: PlanPic
     covarianceEllipse(context, view, point, turned(robot, tag), 2);
     context.stroke();
     diamond(context, at, 5, theme.estimate, theme.plan);
-    haloText(context, tag.name, { x: at.x + 9, y: at.y + 12 }, { colour: theme.estimate, halo: theme.plan, align: "left", px: 11, bold: true });
+    // Beside the ellipse, as far as that is not half the plan.
+    const aside = Math.min(Math.max(9, 4 + 1.5 * Math.sqrt(Math.max(tag.xx, tag.yy)) * view.scale), 40);
+    haloText(context, tag.name, { x: at.x + aside, y: at.y + aside + 3 }, { colour: theme.estimate, halo: theme.plan, align: "left", px: 11, bold: true });
   }
 }
 
@@ -273,7 +275,7 @@ function drawOthers(context: Context, view: PlanView, { others, theme }: PlanPic
     if (pose) {
       robotGlyph(context, view, pose, other.card.radius_m, theme["soft-ink"], theme.plan);
       const at = view.toScreen(pose);
-      haloText(context, other.card.name, { x: at.x, y: at.y + 20 }, { colour: theme.ink, halo: theme.plan, px: 11 });
+      haloText(context, other.name, { x: at.x, y: at.y + Math.max(other.card.radius_m * view.scale, 6) + 12 }, { colour: theme.ink, halo: theme.plan, px: 11 });
     }
   }
 }

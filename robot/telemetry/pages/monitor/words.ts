@@ -100,6 +100,12 @@ export function sentence(event: LogEvent): string {
   return about.length > 0 ? `${words}: ${about.join(", ")}` : words;
 }
 
+/** What the program says of the cause, empty where it says nothing. */
+export function reason(event: LogEvent): string {
+  const why = event.of["why"];
+  return typeof why === "string" && why !== "" ? ` (${why})` : "";
+}
+
 export function clock(seconds: number): string {
   const whole = Math.max(0, Math.floor(seconds));
   const part = (n: number) => String(n).padStart(2, "0");

@@ -93,6 +93,30 @@ TEST(CeilingMission, DrivesOnThroughTwoSecondsOfSilenceAndSaysSo) {
   EXPECT_LT(run.rmse_cm, 2.0);
 }
 
+/// A run whose reader is down for so long from the start.
+MissionRun run_with_reader_up_after(double s) {
+  const MissionHook hook = [s](KinematicRobot& robot, const CeilingMission&) {
+    if (robot.now() == Instant{}) {
+      robot.silence(Instant{}, Instant{} + from_s(s), true);
+    }
+  };
+  return run_hallway(hallway_mission(), {}, 2, hook);
+}
+
+TEST(CeilingMission, AReaderThatIsSetUpWhileTheMissionBeginsHasNotFallenSilent) {
+  const MissionRun run = run_with_reader_up_after(0.1);
+  EXPECT_TRUE(run.arrived);
+  EXPECT_FALSE(run.said(CeilingEventKind::kReaderSilent));
+  EXPECT_FALSE(run.said(CeilingEventKind::kReaderBack));
+}
+
+TEST(CeilingMission, AReaderThatDoesNotComeUpInHalfASecondIsSaidToBeSilent) {
+  const MissionRun run = run_with_reader_up_after(2.0);
+  EXPECT_TRUE(run.arrived);
+  EXPECT_TRUE(run.said(CeilingEventKind::kReaderSilent));
+  EXPECT_TRUE(run.said(CeilingEventKind::kReaderBack));
+}
+
 TEST(CeilingMission, StopsForGoodWhenTheReaderStaysSilent) {
   CeilingMissionConfig config = hallway_mission();
   config.faults.give_up_s = 20.0;

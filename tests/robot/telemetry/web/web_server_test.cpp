@@ -239,6 +239,30 @@ TEST(WebServer, BeyondLoopbackItAsksForTheTokenInItsAddress) {
   EXPECT_THAT(answer, HasSubstr("HttpOnly"));
 }
 
+/// Counts to ten as a program does that is just ending: what is left comes a moment later.
+class LastWords : public EventStream {
+ public:
+  std::string next(milliseconds /*patience*/) override {
+    std::this_thread::sleep_for(milliseconds{20});
+    return number_ == 10 ? std::string{} : "data: " + std::to_string(number_++) + "\n\n";
+  }
+  [[nodiscard]] bool ended() const override { return false; }
+
+ private:
+  int number_{0};
+};
+
+TEST(WebServer, AStreamSaysWhatItHasToSayBeforeTheServerEnds) {
+  Site site(kFiles);
+  site.on_events("/events", [](const HttpRequest&) { return std::make_unique<LastWords>(); });
+  auto server = std::make_unique<WebServer>(std::move(site), WebServerOptions{});
+  const RawClient client(*server);
+  client.say(kEvents);
+  EXPECT_THAT(client.hear("data: 0\n\n"), Not(HasSubstr("data: 9")));
+  server.reset();
+  EXPECT_THAT(client.hear(), HasSubstr("data: 9\n\n"));
+}
+
 TEST(WebServer, EndsPromptlyWithStreamsAndSilentConnectionsOpen) {
   auto server = std::make_unique<WebServer>(counting_site(), WebServerOptions{});
   const RawClient silent(*server);

@@ -110,7 +110,7 @@ class CeilingMission {
   bool silent_said_{false};
   bool reader_silent_{false};
   bool reader_was_up_{false};
-  bool silence_said_{false};  ///< of the reader
+  bool reader_silence_said_{false};
   bool reader_up_{true};
   Instant silent_since_;
   double blind_m_{0.0};

@@ -107,17 +107,17 @@ void CeilingMission::watch_reader(const PhaseSensed& sensed) {
   if (silent && !reader_silent_) {
     silent_since_ = last;
     blind_m_ = 0.0;
-    silence_said_ = false;
+    reader_silence_said_ = false;
   }
   reader_was_up_ = reader_was_up_ || sensed.reader_up;
   // One that is still being set up when the mission begins has not fallen silent.
   const bool late = reader_was_up_ || to_s(now_ - silent_since_) > config_.faults.silent_after_s;
-  if (silent && late && !silence_said_) {
-    silence_said_ = true;
+  if (silent && late && !reader_silence_said_) {
+    reader_silence_said_ = true;
     note(CeilingEventKind::kReaderSilent);
   }
   if (!silent && reader_silent_) {
-    if (silence_said_) {
+    if (reader_silence_said_) {
       note(CeilingEventKind::kReaderBack, std::nullopt, to_s(now_ - silent_since_));
     }
     leg_since_ = now_;

@@ -63,9 +63,6 @@ export class HallwayTool extends Stroke {
   label = "Hallway";
   icon: IconName = "hallway";
   key = "h";
-  hint =
-    "Drag along a compass point: two places and their hallway. Drag from a place to go on, to a place to join them. " +
-    "Click for a place alone.";
   readonly option = {
     label: "Slanted",
     title: "Hallways in any direction (H again, or hold Shift while you drag)",
@@ -73,6 +70,10 @@ export class HallwayTool extends Stroke {
   };
   private shift = false;
 
+  get hint(): string {
+    const how = this.option.on ? "in any direction: the hallway says its bearing" : "along a compass point, with Shift in any direction";
+    return `Drag ${how}. Begin or end at a place to join it; click for a place alone.`;
+  }
   held(down: boolean): void {
     this.shift = down;
     this.editor.view?.redraw();

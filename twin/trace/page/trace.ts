@@ -74,6 +74,7 @@ class Page {
   private readonly hint = el("p", { id: "tool-hint", class: "hint" });
   private readonly option = new OptionButton((text) => {
     this.editor.say(text);
+    setText(this.hint, this.tool.hint);
     this.view?.redraw();
   });
   private readonly where = el("span", { class: "figures where" });

@@ -123,14 +123,6 @@ onThePage("a mistake is told by the robot's reader, and leads to the culprit", {
   assert.ok(!existsSync(join(bench.folder, "plan.hallways.yaml")));
 });
 
-onThePage("hallways run along compass points: a slanting stroke makes none, and says why", {}, async (bench) => {
-  await bench.calibrate();
-  await bench.tool("Hallway");
-  await bench.drag([0, 0], [6, 5]);
-  assert.match(await bench.said(), /40° off east/);
-  assert.match(await bench.page.locator("#panel").innerText(), /Places \(0\)/);
-});
-
 onThePage("a blocked hallway is gone round", {}, async (bench) => {
   await drawThePapersMap(bench);
   await routeOf(bench, "c", "e");

@@ -131,6 +131,8 @@ onThePage("a place on a slanted hallway keeps bearings and tags, and lies on it"
 
 onThePage("the twin's robot finds its way through slanted hallways that were drawn", {}, async (bench) => {
   await drawTheRing(bench);
+  await bench.place("c").click();
+  await bench.fill("from the west tags to the middle, m", "1.8");
   await bench.tab("Scene");
   await bench.field("From").selectOption("a");
   await bench.field("To").selectOption("d");

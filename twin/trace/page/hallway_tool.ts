@@ -94,8 +94,11 @@ export class HallwayTool extends Stroke {
   private straightEnd(start: Spot, to: Point, letter: Letter): Spot {
     const at = strokeEnd(this.editor.doc, start.at, to, letter, this.scale);
     const hallway = this.editor.hallwayAt(at);
-    const met = hallway && crossing(start.at, at, hallway.a.at, hallway.b.at);
-    return met ? { at: met, place: null, hallway } : { at, place: null, hallway: null };
+    if (!hallway) {
+      return { at, place: null, hallway };
+    }
+    const { a, b } = hallway;
+    return { at: crossing(start.at, at, a.at, b.at) ?? nearestOn(a.at, b.at, at), place: null, hallway };
   }
 
   private intent(from: Point, to: Point): Intent | Refusal {

@@ -109,6 +109,8 @@ onThePage("places that are there already are joined as they lie, unless the side
   await bench.tool("Hallway");
   await dragWithShift(bench, [14, -7], [6, -1]); // 307 degrees: north is too far off
   assert.match(await bench.said(), /c has a hallway to b on its west side; erase it first\./);
+  await bench.drag([-2, -12], [4, -12]); // over a, to the middle of the hallway behind it
+  assert.match(await bench.said(), /The place on the hallway has a hallway to a on its west side; erase it first\./);
   await bench.tab("Places");
   assert.match(await bench.page.locator("#panel").innerText(), /Places \(5\)/);
 });

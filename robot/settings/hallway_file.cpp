@@ -181,7 +181,9 @@ PlaceText text_of(const HallwayNode& node, const HallwayMap& map) {
                   {},
                   side.tag_m};
     if (side.bearing_rad) {
-      text.bearing_rad = wrap_angle(-*side.bearing_rad);
+      // As compasses say it, from 0 to 360.
+      const double clockwise_rad = wrap_angle(-*side.bearing_rad);
+      text.bearing_rad = clockwise_rad < 0.0 ? clockwise_rad + 2.0 * kPi : clockwise_rad;
     }
     for (const TagNumber tag : side.tags) {
       text.tags.push_back(tag_text(tag));

@@ -16,25 +16,62 @@ constexpr double kCell_m = 0.05;
 /// Around the building, so that its border is closed.
 constexpr double kMargin_m = 0.5;
 
-std::vector<FloorPiece> strips_of(const robot::HallwayFile& hallways) {
-  const Vec2 half_m = 0.5 * hallways.width_m * Vec2{1.0, 1.0};
-  std::vector<FloorPiece> strips;
+struct Line {
+  Vec2 a_m;
+  Vec2 b_m;
+};
+
+/// Of each hallway, the line from middle to middle; both ends give it.
+std::vector<Line> lines_of(const robot::HallwayFile& hallways) {
+  std::vector<Line> lines;
   for (const robot::HallwayNode& node : hallways.map.nodes()) {
     for (const robot::Side& side : node.sides) {
       if (side.hallway == robot::Hallway::kLeadsTo) {
-        const Vec2 a = *node.at_m;
-        const Vec2 b = *hallways.map.node(side.to).at_m;
-        strips.push_back({a.cwiseMin(b) - half_m, a.cwiseMax(b) + half_m});
+        lines.push_back({*node.at_m, *hallways.map.node(side.to).at_m});
       }
     }
   }
-  return strips;
+  return lines;
+}
+
+/// Whether it runs along the grid, to a cell.
+bool is_square(const Line& line) {
+  return (line.b_m - line.a_m).cwiseAbs().minCoeff() < kCell_m;
+}
+
+double distance_from(const Line& line, const Vec2& p_m) {
+  const Vec2 way = line.b_m - line.a_m;
+  const double along = std::clamp((p_m - line.a_m).dot(way) / way.squaredNorm(), 0.0, 1.0);
+  return (p_m - line.a_m - along * way).norm();
+}
+
+/// A slanted hallway: what lies within half its width, round at the ends, so that no corner juts into the
+/// hallways that it meets.
+void clear(OccupancyMap& map, const Line& line, double half_m) {
+  const Vec2 margin{half_m, half_m};
+  const Vec2 from = (line.a_m.cwiseMin(line.b_m) - margin - map.X_WO.p_m) / kCell_m;
+  const Vec2 to = (line.a_m.cwiseMax(line.b_m) + margin - map.X_WO.p_m) / kCell_m;
+  for (int row = static_cast<int>(std::floor(from.y())); row < static_cast<int>(std::ceil(to.y())); ++row) {
+    for (int column = static_cast<int>(std::floor(from.x())); column < static_cast<int>(std::ceil(to.x()));
+         ++column) {
+      if (distance_from(line, map.X_WO.p_m + kCell_m * Vec2{column + 0.5, row + 0.5}) <= half_m) {
+        map.cells[static_cast<std::size_t>(row) * static_cast<std::size_t>(map.columns) +
+                  static_cast<std::size_t>(column)] = Cell::kFree;
+      }
+    }
+  }
 }
 
 }  // namespace
 
 OccupancyMap floor_of(const robot::HallwayFile& hallways, const std::vector<FloorPiece>& rooms) {
-  std::vector<FloorPiece> strips = strips_of(hallways);
+  const double half_m = 0.5 * hallways.width_m;
+  const std::vector<Line> lines = lines_of(hallways);
+  std::vector<FloorPiece> strips;
+  for (const Line& line : lines) {
+    const Vec2 margin{half_m, half_m};
+    strips.push_back({line.a_m.cwiseMin(line.b_m) - margin, line.a_m.cwiseMax(line.b_m) + margin});
+  }
   strips.insert(strips.end(), rooms.begin(), rooms.end());
   Vec2 low_m{std::numeric_limits<double>::max(), std::numeric_limits<double>::max()};
   Vec2 high_m = -low_m;
@@ -50,7 +87,12 @@ OccupancyMap floor_of(const robot::HallwayFile& hallways, const std::vector<Floo
   map.rows = static_cast<int>(std::ceil(size_m.y() / kCell_m));
   map.cells.assign(static_cast<std::size_t>(map.columns) * static_cast<std::size_t>(map.rows),
                    Cell::kOccupied);
-  for (const FloorPiece& strip : strips) {
+  for (std::size_t i = 0; i < strips.size(); ++i) {
+    if (i < lines.size() && !is_square(lines[i])) {
+      clear(map, lines[i], half_m);
+      continue;
+    }
+    const FloorPiece& strip = strips[i];
     const Vec2 from = (strip.low_m - map.X_WO.p_m) / kCell_m;
     const Vec2 to = (strip.high_m - map.X_WO.p_m) / kCell_m;
     for (int row = static_cast<int>(std::lround(from.y())); row < static_cast<int>(std::lround(to.y()));

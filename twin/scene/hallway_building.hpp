@@ -11,8 +11,8 @@
 namespace sensotwin::twin {
 
 /// The floor of a building that is nothing but the hallways of a map: a strip of their width between any two
-/// places that are connected, half a width beyond both; and of doorways and rooms beside them. Walls are
-/// where it ends. \pre each place has a position
+/// places that are connected, half a width beyond both, slanted hallways with round ends; and of doorways and
+/// rooms beside them. Walls are where it ends. \pre each place has a position
 [[nodiscard]] OccupancyMap floor_of(const robot::HallwayFile& hallways,
                                     const std::vector<FloorPiece>& rooms = {});
 

@@ -8,7 +8,6 @@
 #include <cstdlib>
 #include <optional>
 
-
 namespace sensotwin::twin {
 namespace {
 
@@ -65,6 +64,12 @@ bool meet(const Drawn& one, const Drawn& other) {
          sides(across, one.a_m - other.a_m, one.b_m - other.a_m) < 0.0;
 }
 
+/// Clockwise from north, from 0 to 360.
+double compass_deg(double bearing_rad) {
+  const double deg = -robot::deg_from_rad(robot::wrap_angle(bearing_rad));
+  return deg < 0.0 ? deg + 360.0 : deg;
+}
+
 void advise_on_shape(const HallwayMap& map, const Drawn& hallway, std::vector<HallwayMapProblem>& advice) {
   const Vec2 way = hallway.b_m - hallway.a_m;
   const robot::HallwayNode& from = map.node(hallway.a);
@@ -73,9 +78,12 @@ void advise_on_shape(const HallwayMap& map, const Drawn& hallway, std::vector<Ha
   const Vec2 along{-std::sin(bearing_rad), std::cos(bearing_rad)};
   const double off_rad = std::abs(std::atan2(cross(along, way), along.dot(way)));
   if (way.norm() > 1e-6 && off_rad > kOffAxisMax_rad) {
+    const std::string from_what = from.side(hallway.side).bearing_rad
+                                      ? fmt::format("the bearing of {:.0f} degrees", compass_deg(bearing_rad))
+                                      : std::string{robot::name_of(hallway.side)};
     advice.push_back({from.name, hallway.side,
                       fmt::format("leads to '{}', which lies {:.0f} degrees off {} on the plan", to,
-                                  robot::deg_from_rad(off_rad), robot::name_of(hallway.side))});
+                                  robot::deg_from_rad(off_rad), from_what)});
   }
   const std::optional<double> length_m = from.side(hallway.side).length_m;
   const double wrong_m = std::abs(length_m.value_or(way.norm()) - way.norm());
@@ -135,6 +143,24 @@ void advise_on_places(const robot::HallwayFile& file, std::vector<HallwayMapProb
   }
 }
 
+/// A tag that lies beyond the hallway's other end was measured from the wrong place, or mistyped.
+void advise_on_tag_distances(const robot::HallwayFile& file, const Drawn& hallway,
+                             std::vector<HallwayMapProblem>& advice) {
+  const double drawn_m = (hallway.b_m - hallway.a_m).norm();
+  const auto judge = [&](NodeIndex at, CompassPoint point) {
+    const robot::Side& side = file.map.node(at).side(point);
+    const double length_m = side.length_m.value_or(drawn_m);
+    if (!side.tags.empty() && side.tag_m.value_or(file.tag_to_middle_m) >= length_m) {
+      advice.push_back(
+          {file.map.node(at).name, point,
+           fmt::format("has tags {:.1f} m from the middle of the place, and the hallway is {:.1f} m long",
+                       side.tag_m.value_or(file.tag_to_middle_m), length_m)});
+    }
+  };
+  judge(hallway.a, hallway.side);
+  judge(hallway.b, robot::opposite(hallway.side));
+}
+
 void advise_on_tags(const HallwayMap& map, std::vector<HallwayMapProblem>& advice) {
   int arrivals = 0;
   int without = 0;
@@ -162,6 +188,7 @@ std::vector<HallwayMapProblem> advice_on(const robot::HallwayFile& hallways) {
   const std::vector<Drawn> drawn = drawn_hallways(hallways.map);
   for (const Drawn& hallway : drawn) {
     advise_on_shape(hallways.map, hallway, advice);
+    advise_on_tag_distances(hallways, hallway, advice);
   }
   advise_on_crossings(hallways.map, drawn, advice);
   advise_on_places(hallways, advice);

@@ -56,6 +56,22 @@ TEST(HallwayFile, ReadsBackWhatItWrites) {
   EXPECT_THAT(text, testing::HasSubstr("E004015012345678"));
 }
 
+TEST(HallwayFile, WritesBearingsAsACompassSaysThem) {
+  std::string text = edited("N: { to: d, ", "N: { to: d, bearing_deg: 43, tag_m: 1.5, ");
+  text.replace(text.find("S: { to: c, "), 12, "S: { to: c, bearing_deg: -137, ");
+  const HallwayFile file = read_hallway_text(text, "m.yaml");
+  const std::string written = hallway_yaml(file);
+  EXPECT_THAT(written, testing::HasSubstr("bearing_deg: 43"));
+  EXPECT_THAT(written, testing::HasSubstr("bearing_deg: 223"));
+  const HallwayFile again = read_hallway_text(written, "m.yaml");
+  EXPECT_EQ(hallway_yaml(again), written);
+  for (const CompassPoint point : {CompassPoint::kNorth, CompassPoint::kSouth}) {
+    const NodeIndex node = *file.map.find(point == CompassPoint::kNorth ? "c" : "d");
+    EXPECT_NEAR(again.map.node(node).bearing_rad(point), file.map.node(node).bearing_rad(point), 1e-9);
+    EXPECT_EQ(again.map.node(node).side(point).tag_m, file.map.node(node).side(point).tag_m);
+  }
+}
+
 TEST(HallwayFile, NamesAPlaceThatIsNotThere) {
   EXPECT_EQ(
       messages(edited("to: d", "to: e")),

@@ -37,6 +37,25 @@ TEST(HallwayScene, HasWallsOnBothSidesOfItsHallways) {
   EXPECT_GE(office().world.walls.size(), 3u);
 }
 
+TEST(HallwayScene, HasWallsAlongAHallwayThatSlants) {
+  robot::HallwayFile slanted;
+  const auto a = slanted.map.add("a", Vec2{0.0, 0.0});
+  const auto b = slanted.map.add("b", Vec2{6.0, 8.0});
+  slanted.map.connect(a, robot::CompassPoint::kNorth, b, 10.0);
+  const OccupancyMap floor = floor_of(slanted);
+  const Vec2 along{0.6, 0.8};
+  const Vec2 across{0.8, -0.6};
+  const double half_m = 0.5 * slanted.width_m;
+  for (const double metres : {0.0, 2.5, 5.0, 10.0}) {
+    for (const double side : {-1.0, 1.0}) {
+      EXPECT_EQ(floor.at(metres * along + side * (half_m - 0.05) * across), Cell::kFree) << metres;
+      EXPECT_EQ(floor.at(metres * along + side * (half_m + 0.05) * across), Cell::kOccupied) << metres;
+    }
+  }
+  EXPECT_EQ(floor.at((10.0 + half_m - 0.05) * along), Cell::kFree);
+  EXPECT_EQ(floor.at((10.0 + half_m + 0.05) * along), Cell::kOccupied);
+}
+
 TEST(HallwayScene, LaysEachTagBesideItsPlaceOnTheSideThatItIsMetOn) {
   const Scene scene = office();
   ASSERT_EQ(scene.world.hallway_tags.size(), 26u);

@@ -107,6 +107,20 @@ TEST(TraceSession, OpensWhatItSaved) {
   EXPECT_EQ(map["hallways"]["places"][1]["E"]["tags"], Json({"12"}));
 }
 
+/// Whatever the page does with it, the server loses nothing of a building that is drawn with slanted
+/// hallways.
+TEST(TraceSession, OpensTheHallwaysOfRealBuildingsAndSavesThemTheSame) {
+  for (const char* name : {"stata_hallways.yaml", "hospital_hallways.yaml"}) {
+    TraceBench bench;
+    const auto file = std::filesystem::path(SENSOTWIN_SOURCE_DIR) / "scenes/buildings" / name;
+    bench.put(name, content_of(file));
+    Json document = small_document();
+    document["hallways"] = bench.ask("open", {{"name", name}})["hallways"];
+    bench.ask("save", TraceBench::to_save(document));
+    EXPECT_EQ(bench.content("three.hallways.yaml"), robot::hallway_yaml(robot::read_hallway_file(file)));
+  }
+}
+
 TEST(TraceSession, GoesOnWithATracingThatTheCommandLineNames) {
   TraceBench bench;
   bench.ask("save", TraceBench::to_save(small_document()));

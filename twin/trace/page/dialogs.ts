@@ -154,6 +154,7 @@ export async function showHelp(tools: { label: string; key: string; hint: string
   const keys: [string, string][] = [
     ["Arrow keys", "move the cursor by half a metre; with Shift by 5 m, with Alt by 10 cm"],
     ["Enter", "presses the tool at the cursor; once more releases it: Enter, arrows, Enter draws a hallway"],
+    ["Shift while drawing, or H again", "hallways in any direction: slanted ones"],
     ["Escape", "lets go of what is under way, or of the selection"],
     ["Delete", "removes what is selected"],
     ["Ctrl+Z, Ctrl+Y", "undo, redo"],

@@ -4,26 +4,12 @@ import { haloText, planLine, scaleBar } from "../../../robot/telemetry/pages/com
 import type { PlanView, Point } from "../../../robot/telemetry/pages/common/plan_view";
 import type { Theme } from "../../../robot/telemetry/pages/common/theme";
 import type { Editor } from "./editor";
-import {
-  hallways,
-  lengthOf,
-  letters,
-  metric,
-  opposite,
-  placeByName,
-  step,
-  type Letter,
-  type Place,
-  type Side,
-} from "./model";
+import { hallways, metric, opposite, placeByName, type Place } from "./model";
 import type { Picture } from "./picture";
 import { SceneDrawing } from "./scene_drawing";
+import { pillHeight, pillWidth, SideDrawing } from "./side_drawing";
 
 const family = 'system-ui, -apple-system, "Segoe UI", Roboto, "Noto Sans", "DejaVu Sans", sans-serif';
-/** CSS pixels: a tag's chip never comes nearer to its place than this. */
-const chipGap = 7;
-const chipHeight = 17;
-const pillHeight = 24;
 
 type Context = CanvasRenderingContext2D;
 
@@ -44,8 +30,9 @@ export class Drawing {
     this.scene.below(context, view, this.theme);
     this.hallwayLines(context, view);
     this.routeLine(context, view);
+    const sides = new SideDrawing(this.editor.doc, context, view, this.theme);
     for (const place of this.editor.doc.places) {
-      this.sides(context, view, place);
+      sides.draw(place);
     }
     for (const place of this.editor.doc.places) {
       this.place(context, view, place);
@@ -84,18 +71,13 @@ export class Drawing {
     const drawn = hallways(editor.doc);
     // One path for all, so that bands do not darken each other where they meet.
     context.beginPath();
+    const half = Math.max(editor.doc.settings.width_m * view.scale, 10) / 2;
     for (const { a, b } of drawn) {
-      const from = view.toScreen(a.at);
-      const to = view.toScreen(b.at);
-      context.moveTo(from.x, from.y);
-      context.lineTo(to.x, to.y);
+      band(context, view.toScreen(a.at), view.toScreen(b.at), half);
     }
-    context.lineCap = "square";
-    context.lineJoin = "miter";
-    context.strokeStyle = theme.accent;
+    context.fillStyle = theme.accent;
     context.globalAlpha = 0.14;
-    context.lineWidth = Math.max(editor.doc.settings.width_m * view.scale, 10);
-    context.stroke();
+    context.fill();
     context.globalAlpha = 1;
     context.lineCap = "round";
     for (const { a, b, letter } of drawn) {
@@ -113,146 +95,10 @@ export class Drawing {
     }
   }
 
-  /** Lengths are written when there is room between the chips. */
-  private lengthLabel(context: Context, view: PlanView, place: Place, side: Side, other: Place): void {
-    const a = view.toScreen(place.at);
-    const b = view.toScreen(other.at);
-    const length = lengthOf(this.editor.doc, place, side);
-    const room = Math.hypot(b.x - a.x, b.y - a.y);
-    const upright = Math.abs(b.y - a.y) > Math.abs(b.x - a.x);
-    if (room < (upright ? 120 : 190)) {
-      return;
-    }
-    const text = length === null ? "? m" : `${Number(length.toFixed(2))} m`;
-    const at = { x: (a.x + b.x) / 2 + (upright ? 8 : 0), y: (a.y + b.y) / 2 - (upright ? 0 : 11) };
-    haloText(context, text, at, {
-      colour: this.theme["soft-ink"],
-      halo: this.theme.plan,
-      align: upright ? "left" : "center",
-    });
-  }
-
-  private pill(place: Place, context: Context): number {
-    context.font = `650 13px ${family}`;
-    return Math.max(pillHeight, context.measureText(place.name).width + 14);
-  }
-
-  private sides(context: Context, view: PlanView, place: Place): void {
-    const at = view.toScreen(place.at);
-    const half = this.pill(place, context) / 2;
-    for (const letter of letters) {
-      const side = place.sides[letter];
-      const edge = (letter === "E" || letter === "W" ? half : pillHeight / 2) + 2;
-      if (!side) {
-        this.absent(context, at, letter, edge);
-      } else if (side.to === null) {
-        this.unknown(context, view, at, letter, side, edge);
-      } else {
-        const other = this.editor.doc.places.find((each) => each.id === side.to);
-        if (other) {
-          const far = view.toScreen(other.at);
-          this.chip(context, view, at, far, side, edge, Math.hypot(far.x - at.x, far.y - at.y) / 2);
-          if (place.id < other.id) {
-            this.lengthLabel(context, view, place, side, other);
-          }
-        }
-      }
-    }
-  }
-
-  /** The paper's "-": a short bar across. */
-  private absent(context: Context, at: Point, letter: Letter, edge: number): void {
-    const way = step[letter];
-    const from = { x: at.x + way.x * (edge + 4), y: at.y - way.y * (edge + 4) };
-    context.strokeStyle = this.theme["soft-ink"];
-    context.lineWidth = 2;
-    context.lineCap = "round";
-    context.beginPath();
-    context.moveTo(from.x - way.y * 5, from.y - way.x * 5);
-    context.lineTo(from.x + way.y * 5, from.y + way.x * 5);
-    context.stroke();
-  }
-
-  /** The paper's "?": a dashed stub. */
-  private unknown(context: Context, view: PlanView, at: Point, letter: Letter, side: Side, edge: number): void {
-    const way = step[letter];
-    const tagged = side.tags.length > 0;
-    const chip = tagged ? this.chipSize(context, side, letter) : 0;
-    const nearest = edge + (tagged ? chipGap + chip + 26 : 20);
-    const long = Math.max(1.6 * view.scale, nearest) + 11;
-    const end = { x: at.x + way.x * long, y: at.y - way.y * long };
-    context.strokeStyle = this.theme.warn;
-    context.lineWidth = 2.5;
-    context.lineCap = "butt";
-    context.setLineDash([6, 5]);
-    context.beginPath();
-    context.moveTo(at.x, at.y);
-    context.lineTo(end.x, end.y);
-    context.stroke();
-    context.setLineDash([]);
-    context.beginPath();
-    context.arc(end.x, end.y, 10, 0, 2 * Math.PI);
-    context.fillStyle = this.theme.card;
-    context.fill();
-    context.lineWidth = 2;
-    context.stroke();
-    haloText(
-      context,
-      "?",
-      { x: end.x, y: end.y + 0.5 },
-      { colour: this.theme.warn, halo: this.theme.card, px: 14, bold: true },
-    );
-    this.chip(context, view, at, end, side, edge, long - 11);
-  }
-
-  private chipText(side: Side): string {
-    const first = side.tags[0] ?? "";
-    const short = first.length > 6 ? `…${first.slice(-4)}` : first;
-    return side.tags.length > 1 ? `${short} +${side.tags.length - 1}` : short;
-  }
-  private chipSize(context: Context, side: Side, letter: Letter): number {
-    context.font = `600 11.5px ${family}`;
-    return letter === "E" || letter === "W" ? context.measureText(this.chipText(side)).width + 10 : chipHeight;
-  }
-
-  /** A tag's number where it is met; a dot where there is no room for it. */
-  private chip(context: Context, view: PlanView, at: Point, to: Point, side: Side, edge: number, room: number): void {
-    if (side.tags.length === 0) {
-      return;
-    }
-    const far = Math.hypot(to.x - at.x, to.y - at.y) || 1;
-    const way = { x: (to.x - at.x) / far, y: (to.y - at.y) / far };
-    context.font = `600 11.5px ${family}`;
-    const text = this.chipText(side);
-    const wide = context.measureText(text).width + 10;
-    const half = Math.abs(way.x) > Math.abs(way.y) ? wide / 2 : chipHeight / 2;
-    const nearest = edge + chipGap + half;
-    const from = Math.max(this.editor.doc.settings.tag_to_middle_m * view.scale, nearest);
-    const fits = nearest + half + 2 <= room;
-    const along = fits ? Math.min(from, room - half - 2) : Math.max(edge + 5, room * 0.7);
-    const middle = { x: at.x + way.x * along, y: at.y + way.y * along };
-    context.fillStyle = this.theme.tag;
-    context.beginPath();
-    if (!fits) {
-      context.arc(middle.x, middle.y, 3.5, 0, 2 * Math.PI);
-      context.fill();
-      return;
-    }
-    context.roundRect(middle.x - wide / 2, middle.y - chipHeight / 2, wide, chipHeight, 5);
-    context.fill();
-    context.lineWidth = 1.5;
-    context.strokeStyle = this.theme.plan;
-    context.stroke();
-    context.fillStyle = this.theme.plan;
-    context.textAlign = "center";
-    context.textBaseline = "middle";
-    context.fillText(text, middle.x, middle.y + 0.5);
-  }
-
   private place(context: Context, view: PlanView, place: Place): void {
     const { editor, theme } = this;
     const at = view.toScreen(place.at);
-    const wide = this.pill(place, context);
+    const wide = pillWidth(place, context);
     const selected = editor.selectedPlace?.id === place.id && editor.selection?.kind === "place";
     const worst = editor.worstOf(place.name);
     const box = (grow: number) => {
@@ -346,4 +192,27 @@ export class Drawing {
     context.fill();
     context.restore();
   }
+}
+
+/** A hallway's floor as the twin draws its walls: square ends along compass points, round ones of what is slanted. */
+function band(context: Context, a: Point, b: Point, half: number): void {
+  const along = Math.atan2(b.y - a.y, b.x - a.x);
+  const off = (Math.abs(along) * 180) / Math.PI % 90;
+  const [left, right] = [along - Math.PI / 2, along + Math.PI / 2];
+  // All of them turn the same way, so that none takes the floor away from another.
+  if (Math.min(off, 90 - off) > 1) {
+    context.moveTo(b.x + half * Math.cos(left), b.y + half * Math.sin(left));
+    context.arc(b.x, b.y, half, left, right);
+    context.arc(a.x, a.y, half, right, left + 2 * Math.PI);
+  } else {
+    const corner = (p: Point, forward: number, side: number): [number, number] => [
+      p.x + half * (forward * Math.cos(along) + Math.cos(side)),
+      p.y + half * (forward * Math.sin(along) + Math.sin(side)),
+    ];
+    context.moveTo(...corner(b, 1, left));
+    context.lineTo(...corner(b, 1, right));
+    context.lineTo(...corner(a, -1, right));
+    context.lineTo(...corner(a, -1, left));
+  }
+  context.closePath();
 }

@@ -2,6 +2,7 @@
 // What is on the desk: the document, what is selected, what the server said of it. Knows the view, no buttons.
 import type { PlanView, Point } from "../../../robot/telemetry/pages/common/plan_view";
 import * as api from "./api";
+import { apart_deg, drawn_deg, shown_deg } from "./bearing";
 import { docJson, type FileProblem } from "./files";
 import { History } from "./history";
 import {
@@ -174,12 +175,12 @@ export class Editor {
     return best;
   }
   /** The hallway under a point. */
-  hallwayAt(at: Point, slop_px = 9): { a: Place; letter: Letter; on: Point } | null {
+  hallwayAt(at: Point, slop_px = 9): { a: Place; b: Place; letter: Letter; on: Point } | null {
     const reach = slop_px / (this.view?.scale ?? 50);
     for (const { a, b, letter } of hallways(this.doc)) {
       const on = nearestOn(a.at, b.at, at);
       if (distance(on, at) <= reach) {
-        return { a, letter, on };
+        return { a, b, letter, on };
       }
     }
     return null;
@@ -190,9 +191,9 @@ export class Editor {
     if (!place) {
       return null;
     }
-    const way = { x: at.x - place.at.x, y: at.y - place.at.y };
-    const along = (letter: Letter) => way.x * step[letter].x + way.y * step[letter].y;
-    return { place, letter: letters.reduce((best, letter) => (along(letter) > along(best) ? letter : best)) };
+    const towards = drawn_deg(place.at, at);
+    const off = (letter: Letter) => apart_deg(shown_deg(this.doc, place, letter), towards);
+    return { place, letter: letters.reduce((best, letter) => (off(letter) < off(best) ? letter : best)) };
   }
   worstOf(name: string): "error" | "advice" | null {
     const found = this.problems.filter((problem) => problem.place === name);

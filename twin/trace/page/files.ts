@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 // Between the page's document and what the server reads and writes (twin/trace/trace_document.hpp).
 import type { Point } from "../../../robot/telemetry/pages/common/plan_view";
+import { bearingOf, reversed, unit, wrapped_deg } from "./bearing";
 import {
-  distance,
   emptyDoc,
   lengthOf,
   letters,
@@ -10,7 +10,6 @@ import {
   opposite,
   placeByName,
   rounded,
-  step,
   type Doc,
   type Letter,
   type Place,
@@ -33,7 +32,9 @@ function sideJson(doc: Doc, place: Place, side: Side): Json {
     ...side.extra,
     to: other ? other.name : "?",
     ...(length === null ? {} : { length_m: length }),
+    ...(side.bearing_deg === null ? {} : { bearing_deg: side.bearing_deg }),
     ...(side.tags.length > 0 ? { tags: side.tags } : {}),
+    ...(side.tag_m === null ? {} : { tag_m: side.tag_m }),
   };
 }
 
@@ -76,21 +77,24 @@ export function docJson(doc: Doc): Json {
 }
 
 function readSide(json: Json, place: Place, doc: Doc, guessed: boolean): Side {
-  const { to, length_m, tags, ...extra } = json;
+  const { to, length_m, bearing_deg, tags, tag_m, ...rest } = json;
+  // What is no number is the reader's to refuse.
+  const extra: Json = {
+    ...rest,
+    ...(bearing_deg !== undefined && typeof bearing_deg !== "number" ? { bearing_deg } : {}),
+    ...(tag_m !== undefined && typeof tag_m !== "number" ? { tag_m } : {}),
+  };
   const other = typeof to === "string" ? placeByName(doc, to) : undefined;
   const side: Side = {
     to: other ? other.id : null,
     length: typeof length_m === "number" ? length_m : other && !metric(doc) ? "drawn" : "unknown",
+    bearing_deg: typeof bearing_deg === "number" ? wrapped_deg(bearing_deg) : null,
     tags: Array.isArray(tags) ? tags.map(String) : [],
+    tag_m: typeof tag_m === "number" ? tag_m : null,
     extra,
   };
-  // A length that was drawn follows the drawing; only one that somebody typed stays.
-  if (
-    other &&
-    !guessed &&
-    typeof side.length === "number" &&
-    Math.abs(distance(place.at, other.at) - side.length) < 0.011
-  ) {
+  // A length that was drawn follows the drawing; any other stays as it was written until its places are moved.
+  if (other && !guessed && lengthOf(doc, place, { ...side, length: "drawn" }) === side.length) {
     side.length = "drawn";
   }
   return side;
@@ -111,7 +115,8 @@ function layOut(doc: Doc, known: Set<number>): void {
         const other = doc.places.find((each) => each.id === side?.to);
         if (side && other && !known.has(other.id)) {
           const far = typeof side.length === "number" ? side.length : usual;
-          other.at = rounded({ x: place.at.x + far * step[letter].x, y: place.at.y + far * step[letter].y });
+          const way = unit(bearingOf(side, letter));
+          other.at = rounded({ x: place.at.x + far * way.x, y: place.at.y + far * way.y });
           known.add(other.id);
           open.push(other);
         }
@@ -170,7 +175,14 @@ function mendBackways(doc: Doc): void {
       const side = place.sides[letter];
       const other = doc.places.find((each) => each.id === side?.to);
       if (side && other && !other.sides[opposite(letter)]) {
-        other.sides[opposite(letter)] = { to: place.id, length: side.length, tags: [], extra: {} };
+        other.sides[opposite(letter)] = {
+          to: place.id,
+          length: side.length,
+          bearing_deg: reversed(side.bearing_deg),
+          tags: [],
+          tag_m: null,
+          extra: {},
+        };
       }
     }
   }

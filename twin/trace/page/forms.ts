@@ -4,9 +4,45 @@ import { el } from "../../../robot/telemetry/pages/common/dom";
 
 let counter = 0;
 
-/** Makes the content anew, and gives the focus back to the field with the same key. */
+/** What is being typed in a container, and what is to be shown in it afterwards. */
+interface Typing {
+  field: EventTarget | null;
+  content: (Node | string)[] | null;
+}
+const typings = new WeakMap<HTMLElement, Typing>();
+function typingIn(container: HTMLElement): Typing {
+  const known = typings.get(container);
+  if (known) {
+    return known;
+  }
+  const typing: Typing = { field: null, content: null };
+  typings.set(container, typing);
+  container.addEventListener("input", (event) => (typing.field = event.target));
+  // Before the field itself hears of it: what it changes is shown.
+  container.addEventListener("change", () => (typing.field = null), true);
+  container.addEventListener("focusout", () => {
+    typing.field = null;
+    window.setTimeout(() => {
+      if (typing.content) {
+        remade(container, typing.content);
+      }
+    });
+  });
+  return typing;
+}
+
+/**
+ * Makes the content anew, and gives the focus back to the field with the same key. A field that somebody types in is
+ * left alone until he is done: the server's answers come between two letters.
+ */
 export function remade(container: HTMLElement, content: (Node | string)[]): void {
+  const typing = typingIn(container);
   const focused = document.activeElement;
+  if (typing.field !== null && typing.field === focused) {
+    typing.content = content;
+    return;
+  }
+  typing.content = null;
   const key = focused instanceof HTMLElement && container.contains(focused) ? focused.dataset["key"] : undefined;
   const caret = focused instanceof HTMLInputElement && focused.type === "text" ? focused.selectionStart : null;
   container.replaceChildren(...content);

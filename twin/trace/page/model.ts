@@ -2,6 +2,7 @@
 // What the page draws, without a page: places, hallways between them by compass points, and what a scene adds.
 // Metres, x east and y north. Functions that take a draft change it; history.ts hands them copies.
 import type { Point } from "../../../robot/telemetry/pages/common/plan_view";
+import { reversed } from "./bearing";
 
 export const letters = ["N", "E", "S", "W"] as const;
 export type Letter = (typeof letters)[number];
@@ -20,7 +21,11 @@ type Extra = Record<string, unknown>;
 export interface Side {
   to: number | null;
   length: "drawn" | "unknown" | number;
+  /** In which it leaves, clockwise from north; null: along its compass point. */
+  bearing_deg: number | null;
   tags: string[];
+  /** From these tags to the middle of the place; null: as everywhere in the building. */
+  tag_m: number | null;
   extra: Extra;
 }
 export interface Place {
@@ -211,34 +216,56 @@ export function clearSide(draft: Doc, place: Place, letter: Letter): void {
   }
 }
 
-/** A hallway whose far end nobody knows. Tags stay. */
-export function setUnknown(draft: Doc, place: Place, letter: Letter): void {
-  const tags = place.sides[letter]?.tags ?? [];
-  clearSide(draft, place, letter);
-  place.sides[letter] = { to: null, length: "unknown", tags, extra: {} };
+/** A side that leads nowhere yet, with what was said of the one that was there: its tags, where they lie, its bearing. */
+function sideLike(old: Side | undefined): Side {
+  return {
+    to: null,
+    length: "unknown",
+    bearing_deg: old?.bearing_deg ?? null,
+    tags: old?.tags ?? [],
+    tag_m: old?.tag_m ?? null,
+    extra: {},
+  };
 }
 
-/** A hallway from `a`, left on that side, to `b`. What was on either side is replaced, tags stay. */
-export function connect(draft: Doc, a: Place, letter: Letter, b: Place): void {
+/** A hallway whose far end nobody knows. Tags and bearing stay. */
+export function setUnknown(draft: Doc, place: Place, letter: Letter): void {
+  const side = sideLike(place.sides[letter]);
+  clearSide(draft, place, letter);
+  place.sides[letter] = side;
+}
+
+/**
+ * A hallway from `a`, left on that side, to `b`. What was on either side is replaced, tags stay.
+ * \param bearing  left out: as the sides said before
+ */
+export function connect(draft: Doc, a: Place, letter: Letter, b: Place, bearing?: number | null): void {
   const back = opposite(letter);
-  const tags = [a.sides[letter]?.tags ?? [], b.sides[back]?.tags ?? []] as const;
+  const out = sideLike(a.sides[letter]);
+  const home = sideLike(b.sides[back]);
+  const leaves = bearing === undefined ? (out.bearing_deg ?? reversed(home.bearing_deg)) : bearing;
   if (a.sides[letter]?.to !== b.id) {
     clearSide(draft, a, letter);
   }
   if (b.sides[back]?.to !== a.id) {
     clearSide(draft, b, back);
   }
-  a.sides[letter] = { to: b.id, length: "drawn", tags: tags[0], extra: {} };
-  b.sides[back] = { to: a.id, length: "drawn", tags: tags[1], extra: {} };
+  a.sides[letter] = { ...out, to: b.id, length: "drawn", bearing_deg: leaves };
+  b.sides[back] = { ...home, to: a.id, length: "drawn", bearing_deg: reversed(leaves) };
 }
 
-/** A place on a hallway: both halves lead to it. */
+/** A place on a hallway: both halves lead to it, and keep the bearing and the tags of the ends. */
 export function splitHallway(draft: Doc, a: Place, letter: Letter, at: Point): Place {
   const far = placeById(draft, a.sides[letter]?.to ?? -1);
+  const home = far?.sides[opposite(letter)];
+  const bearing = a.sides[letter]?.bearing_deg ?? null;
   const middle = addPlace(draft, at);
-  connect(draft, a, letter, middle);
+  connect(draft, a, letter, middle, bearing);
   if (far) {
-    connect(draft, middle, letter, far);
+    if (home) {
+      far.sides[opposite(letter)] = sideLike(home);
+    }
+    connect(draft, middle, letter, far, bearing);
   }
   return middle;
 }
@@ -290,75 +317,4 @@ export function numberTags(draft: Doc): number {
     }
   }
   return given;
-}
-
-/** Everything that was drawn, moved in the same way. */
-function moveAll(draft: Doc, move: (p: Point) => Point): void {
-  const to = (p: Point) => rounded(move(p));
-  for (const place of draft.places) {
-    place.at = to(place.at);
-  }
-  const scene = draft.scene;
-  scene.room = scene.room.map(to);
-  scene.ceiling = scene.ceiling.map((tag) => ({ ...tag, at: to(tag.at) }));
-  scene.region = scene.region && [to(scene.region[0]), to(scene.region[1])];
-  scene.start = scene.start && { ...scene.start, ...to(scene.start) };
-}
-
-/** The plan is `ratio` times as large as it was; what was drawn on it stays on it. */
-export function scaleBy(draft: Doc, ratio: number): void {
-  if (draft.plan) {
-    draft.plan.resolution_m *= ratio;
-    draft.plan.origin = [draft.plan.origin[0] * ratio, draft.plan.origin[1] * ratio, draft.plan.origin[2]];
-    draft.plan.scaled = true;
-  }
-  moveAll(draft, (p) => ({ x: p.x * ratio, y: p.y * ratio }));
-}
-
-/**
- * Turns plan and drawing counter-clockwise, so that what pointed that much clockwise of north is north. Hallways keep
- * the compass points that now fit them best.
- */
-export function turnBy(draft: Doc, radians: number): void {
-  const cos = Math.cos(radians);
-  const sin = Math.sin(radians);
-  const turn = (p: Point) => ({ x: cos * p.x - sin * p.y, y: sin * p.x + cos * p.y });
-  if (draft.plan) {
-    const corner = turn({ x: draft.plan.origin[0], y: draft.plan.origin[1] });
-    draft.plan.origin = [corner.x, corner.y, wrapAngle(draft.plan.origin[2] + radians)];
-  }
-  moveAll(draft, turn);
-  draft.scene.without = [];
-  draft.scene.unreadable = [];
-  if (draft.scene.start) {
-    draft.scene.start.heading_deg =
-      Math.round(((draft.scene.start.heading_deg + (radians * 180) / Math.PI) % 360) * 10) / 10;
-  }
-  const quarters = bestQuarters(draft, radians);
-  for (const place of draft.places) {
-    const sides: Place["sides"] = {};
-    for (const letter of letters) {
-      const side = place.sides[letter];
-      if (side) {
-        sides[turned(letter, -quarters)] = side;
-      }
-    }
-    place.sides = sides;
-  }
-}
-function bestQuarters(doc: Doc, radians: number): number {
-  const drawn = hallways(doc);
-  if (drawn.length === 0) {
-    return Math.round(radians / (Math.PI / 2));
-  }
-  const misfit = (quarters: number) =>
-    drawn.reduce((sum, { a, b, letter }) => {
-      const along = step[turned(letter, -quarters)];
-      const way = { x: b.at.x - a.at.x, y: b.at.y - a.at.y };
-      return sum + Math.atan2(along.x * way.y - along.y * way.x, along.x * way.x + along.y * way.y) ** 2;
-    }, 0);
-  return [0, 1, -1, 2].reduce((best, quarters) => (misfit(quarters) < misfit(best) - 1e-9 ? quarters : best));
-}
-export function wrapAngle(radians: number): number {
-  return Math.atan2(Math.sin(radians), Math.cos(radians));
 }

@@ -4,7 +4,8 @@ import { el } from "../../../robot/telemetry/pages/common/dom";
 import type { Editor } from "./editor";
 import type { FileProblem } from "./files";
 import { button, checkField, choiceField, numberField, textField } from "./forms";
-import { metric, turnBy } from "./model";
+import { metric } from "./model";
+import { turnBy } from "./placement";
 import { selectByName } from "./place_panel";
 
 export interface PlanActions {

@@ -106,3 +106,10 @@ export class Picture {
     context.restore();
   }
 }
+
+/** Scale and north of a plan, for the line at the bottom. */
+export function placement(plan: Plan): string {
+  const scale = plan.scaled ? `1 px = ${Number((plan.resolution_m * 100).toPrecision(3))} cm` : "no scale yet";
+  const turned_deg = Number(((-plan.origin[2] * 180) / Math.PI).toFixed(1));
+  return `${scale}, north is up${turned_deg === 0 ? "" : `: plan turned by ${turned_deg}°`}`;
+}

@@ -26,6 +26,7 @@ import {
   type Place,
   type Side,
 } from "./model";
+import { sideDetails } from "./side_details";
 
 function change(editor: Editor, label: string, place: Place, edit: (place: Place) => void): void {
   editor.history.change(label, (draft) => {
@@ -186,6 +187,7 @@ function placeForm(editor: Editor, place: Place): Node[] {
       }
     }),
     sidesTable(editor, place),
+    ...sideDetails(editor, place),
     el(
       "div",
       { class: "row" },

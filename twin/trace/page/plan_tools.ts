@@ -6,7 +6,8 @@ import type { Theme } from "../../../robot/telemetry/pages/common/theme";
 import { drawNeedle } from "./compass";
 import type { Editor } from "./editor";
 import type { IconName } from "./icons";
-import { distance, rounded, turnBy, type Doc } from "./model";
+import { distance, rounded, type Doc } from "./model";
+import { turnBy } from "./placement";
 import { alignedPoint, isStroke } from "./snapping";
 import { Stroke } from "./stroke";
 

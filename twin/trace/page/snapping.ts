@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Strokes become hallways along compass points.
+// Strokes snap to compass points, to other places and to hallways.
 import type { Point } from "../../../robot/telemetry/pages/common/plan_view";
 import { distance, letters, rounded, step, type Doc, type Letter } from "./model";
 
@@ -49,6 +49,18 @@ export function alignedPoint(doc: Doc, p: Point, scale: number, without = -1): P
 export function strokeEnd(doc: Doc, a: Point, p: Point, letter: Letter, scale: number): Point {
   const end = alignedPoint(doc, p, scale);
   return letter === "E" || letter === "W" ? { x: end.x, y: a.y } : { x: a.x, y: end.y };
+}
+/** Where the line from `a` through `b` meets the one from `c` to `d`, to the centimetre; null: it does not. */
+export function crossing(a: Point, b: Point, c: Point, d: Point): Point | null {
+  const way = { x: b.x - a.x, y: b.y - a.y };
+  const across = { x: d.x - c.x, y: d.y - c.y };
+  const turn = way.x * across.y - way.y * across.x;
+  // Nearly side by side: the point would lie anywhere.
+  if (Math.abs(turn) < 0.1 * distance(a, b) * distance(c, d)) {
+    return null;
+  }
+  const t = ((a.x - c.x) * way.y - (a.y - c.y) * way.x) / -turn;
+  return t < 0 || t > 1 ? null : rounded({ x: c.x + t * across.x, y: c.y + t * across.y });
 }
 /** Whether a stroke is long enough to be meant. */
 export function isStroke(a: Point, b: Point, scale: number): boolean {

@@ -18,6 +18,10 @@ export interface Tool {
   cancel(): void;
   /** Under way from a press to a release. */
   readonly busy: boolean;
+  /** Another way of drawing, which the tool's key turns on and off once it is taken. */
+  readonly option?: { label: string; title: string; on: boolean };
+  /** Shift is down while the mouse draws, or not. */
+  held?(down: boolean): void;
   draw?(context: CanvasRenderingContext2D, view: PlanView, theme: Theme): void;
 }
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Buttons: of the tools, and those that lie on the drawing.
-import { el } from "../../../robot/telemetry/pages/common/dom";
+import { el, setText } from "../../../robot/telemetry/pages/common/dom";
 import { icon, type IconName } from "./icons";
 import type { Tool } from "./stroke";
 
@@ -52,6 +52,33 @@ export class Toolbar {
     );
     this.buttons.set(tool, made);
     return made;
+  }
+}
+
+/** Turns another way of drawing on and off, where the tool has one. */
+export class OptionButton {
+  readonly element = el("button", { type: "button", class: "option", onclick: () => this.press() });
+  private tool: Tool | null = null;
+
+  constructor(private readonly said: (text: string) => void) {}
+
+  show(tool: Tool): void {
+    this.tool = tool;
+    const { option } = tool;
+    this.element.hidden = option === undefined;
+    if (option) {
+      setText(this.element, option.label);
+      this.element.title = option.title;
+      this.element.setAttribute("aria-pressed", String(option.on));
+    }
+  }
+  press(): void {
+    const option = this.tool?.option;
+    if (this.tool && option) {
+      option.on = !option.on;
+      this.show(this.tool);
+      this.said(`${option.label}: ${option.on ? "on" : "off"}.`);
+    }
   }
 }
 

@@ -1,26 +1,22 @@
 // SPDX-License-Identifier: MIT
 // What a press, a move and a release on the drawing do. The keyboard presses and releases at its cursor.
-import { haloText, planLine } from "../../../robot/telemetry/pages/common/draw";
-import type { PlanView, Point } from "../../../robot/telemetry/pages/common/plan_view";
-import type { Theme } from "../../../robot/telemetry/pages/common/theme";
+import type { Point } from "../../../robot/telemetry/pages/common/plan_view";
+import { bearingsAsDrawn, followersOf, regroup, type Followers } from "./bearing";
 import type { Editor } from "./editor";
 import type { IconName } from "./icons";
 import {
-  addPlace,
   clearSide,
-  connect,
   placeById,
   removePlace,
+  setLength,
   setUnknown,
   sideNames,
-  splitHallway,
   step,
-  type Doc,
   type Letter,
   type Place,
 } from "./model";
 import { Stroke } from "./stroke";
-import { alignedPoint, isStroke, strokeEnd, strokeFrom, tolerance_deg } from "./snapping";
+import { alignedPoint, isStroke } from "./snapping";
 
 export class SelectTool extends Stroke {
   name = "select";
@@ -29,7 +25,9 @@ export class SelectTool extends Stroke {
   key = "v";
   hint = "Click a place or hallway to see its data; drag a place to move it. Drag the empty plan to pan.";
   private moving: number | null = null;
+  private followers: Followers = { bearings: [], lengths: [] };
   private drags = 0;
+  private moved = false;
 
   override press(at: Point): boolean {
     const place = this.editor.placeAt(at);
@@ -38,7 +36,9 @@ export class SelectTool extends Stroke {
       (tag) => Math.hypot(tag.at.x - at.x, tag.at.y - at.y) * this.scale < 14,
     );
     this.moving = place?.id ?? null;
+    this.followers = place ? followersOf(this.editor.doc, place) : { bearings: [], lengths: [] };
     this.drags += 1;
+    this.moved = false;
     this.editor.select(
       place
         ? { kind: "place", id: place.id }
@@ -59,12 +59,15 @@ export class SelectTool extends Stroke {
     const key = `move ${this.drags}`;
     if (this.moving !== null) {
       const id = this.moving;
+      this.moved = true;
       this.editor.history.change(
         "move",
         (draft) => {
           const place = placeById(draft, id);
           if (place) {
             place.at = alignedPoint(draft, at, this.scale, id);
+            this.followers.lengths.forEach((letter) => setLength(draft, place, letter, "drawn"));
+            bearingsAsDrawn(draft, place, this.followers.bearings);
           }
         },
         key,
@@ -83,122 +86,14 @@ export class SelectTool extends Stroke {
     }
   }
   protected override done(): void {
+    const { history } = this.editor;
+    // Compass points change when the hand lets go, not under it.
+    if (this.moving !== null && this.moved && regroup(structuredClone(history.doc))) {
+      history.change("move", regroup, `move ${this.drags}`);
+    }
     this.moving = null;
-    this.editor.history.endMerge();
+    history.endMerge();
   }
-}
-
-/** The paper's stroke: a press, a drag along a compass point, and two places with a hallway are there. */
-export class HallwayTool extends Stroke {
-  name = "hallway";
-  label = "Hallway";
-  icon: IconName = "hallway";
-  key = "h";
-  hint =
-    "Drag along a compass point: two places and their hallway. Drag from a place to go on. Click for a place alone.";
-
-  /** Where a stroke begins: at a place, on a hallway, or anywhere. */
-  private begin(draft: Doc, at: Point): Place {
-    const near = this.editor.placeAt(at);
-    const hallway = near ? null : this.editor.hallwayAt(at);
-    if (near) {
-      return placeById(draft, near.id) ?? addPlace(draft, at);
-    }
-    if (hallway) {
-      const a = placeById(draft, hallway.a.id);
-      if (a) {
-        return splitHallway(draft, a, hallway.letter, alignedPoint(draft, hallway.on, this.scale));
-      }
-    }
-    return addPlace(draft, alignedPoint(draft, at, this.scale));
-  }
-
-  protected override done(from: Point, to: Point): void {
-    const { editor } = this;
-    if (!isStroke(from, to, this.scale)) {
-      const there = editor.placeAt(from);
-      const id = there ? there.id : editor.history.change("place", (draft) => this.begin(draft, from).id);
-      editor.select({ kind: "place", id });
-      return;
-    }
-    const start = editor.placeAt(from);
-    const origin = start?.at ?? from;
-    const target = editor.placeAt(to);
-    const { letter, off_deg } = strokeFrom(origin, target?.at ?? to);
-    if (off_deg > tolerance_deg) {
-      editor.say(
-        `Hallways run north, east, south or west: this stroke is ${Math.round(off_deg)}° off ${sideNames[letter]}.`,
-        "bad",
-      );
-      return;
-    }
-    if (target && target.id === start?.id) {
-      return;
-    }
-    const taken = start?.sides[letter];
-    const beyond = taken?.to == null ? undefined : placeById(editor.doc, taken.to);
-    if (beyond && beyond.id !== target?.id && !between(origin, beyond.at, to, letter)) {
-      editor.say(
-        `${start?.name} has a hallway to ${beyond.name} on its ${sideNames[letter]} side; erase it first.`,
-        "bad",
-      );
-      return;
-    }
-    const id = editor.history.change("hallway", (draft) => this.lay(draft, from, to, letter, target));
-    editor.select({ kind: "place", id });
-  }
-
-  private lay(draft: Doc, from: Point, to: Point, letter: Letter, target: Place | null): number {
-    const a = this.begin(draft, from);
-    const far = placeById(draft, a.sides[letter]?.to ?? -1);
-    const end = strokeEnd(draft, a.at, to, letter, this.scale);
-    const known = target ? placeById(draft, target.id) : undefined;
-    if (known) {
-      connect(draft, a, letter, known);
-      return known.id;
-    }
-    if (far) {
-      return splitHallway(draft, a, letter, end).id;
-    }
-    const across = this.editor.hallwayAt(end);
-    const other = across ? placeById(draft, across.a.id) : undefined;
-    const b =
-      across && other && other.id !== a.id ? splitHallway(draft, other, across.letter, end) : addPlace(draft, end);
-    connect(draft, a, letter, b);
-    return b.id;
-  }
-
-  draw(context: CanvasRenderingContext2D, view: PlanView, theme: Theme): void {
-    if (!this.from || !this.to || !isStroke(this.from, this.to, this.scale)) {
-      return;
-    }
-    const start = this.editor.placeAt(this.from)?.at ?? alignedPoint(this.editor.doc, this.from, this.scale);
-    const target = this.editor.placeAt(this.to);
-    const { letter, off_deg } = strokeFrom(start, target?.at ?? this.to);
-    const good = off_deg <= tolerance_deg;
-    const end = target?.at ?? (good ? strokeEnd(this.editor.doc, start, this.to, letter, this.scale) : this.to);
-    planLine(context, view, [start, end]);
-    context.lineCap = "round";
-    context.lineWidth = 4;
-    context.strokeStyle = good ? theme.accent : theme.bad;
-    context.setLineDash(good ? [] : [4, 7]);
-    context.stroke();
-    context.setLineDash([]);
-    const at = view.toScreen(end);
-    const text = good
-      ? `${letter}  ${this.editor.metres(Math.hypot(end.x - start.x, end.y - start.y))}`
-      : `${Math.round(off_deg)}° off ${letter}`;
-    haloText(
-      context,
-      text,
-      { x: at.x, y: at.y - 24 },
-      { colour: good ? theme.accent : theme.bad, halo: theme.plan, px: 14, bold: true },
-    );
-  }
-}
-function between(a: Point, b: Point, p: Point, letter: Letter): boolean {
-  const along = (q: Point) => (q.x - a.x) * step[letter].x + (q.y - a.y) * step[letter].y;
-  return along(p) > 0 && along(p) < along(b);
 }
 
 /** "?" on a side of a place; once more: "-", no hallway. */

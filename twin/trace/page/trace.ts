@@ -14,14 +14,16 @@ import { remade } from "./forms";
 import { icon, type IconName } from "./icons";
 import { Cursor } from "./keyboard";
 import type { Tool } from "./stroke";
-import { roundButton, Toolbar } from "./toolbar";
-import { metric, scaleBy, type Plan } from "./model";
+import { OptionButton, roundButton, Toolbar } from "./toolbar";
+import { metric } from "./model";
+import { scaleBy } from "./placement";
 import { planPanel, problemList, routePanel } from "./other_panels";
 import { scenePanel } from "./scene_panel";
-import { Picture } from "./picture";
+import { Picture, placement } from "./picture";
 import { CarpetTool, CeilingTool, NorthTool, RoomTool, ScaleTool, StartTool } from "./plan_tools";
 import { focusTags, placePanel } from "./place_panel";
-import { erase, EraseTool, HallwayTool, RouteTool, SelectTool, TagTool, UnknownTool } from "./tools";
+import { HallwayTool } from "./hallway_tool";
+import { erase, EraseTool, RouteTool, SelectTool, TagTool, UnknownTool } from "./tools";
 
 const tabs = ["Places", "Route", "Scene", "Plan"] as const;
 type Tab = (typeof tabs)[number];
@@ -70,6 +72,11 @@ class Page {
     "aria-describedby": "tool-hint",
   });
   private readonly hint = el("p", { id: "tool-hint", class: "hint" });
+  private readonly option = new OptionButton((text) => {
+    this.editor.say(text);
+    setText(this.hint, this.tool.hint);
+    this.view?.redraw();
+  });
   private readonly where = el("span", { class: "figures where" });
   private readonly scaleText = el("span", { class: "figures" });
   private readonly panel = el("div", { class: "panel", role: "tabpanel", id: "panel", tabindex: "-1" });
@@ -107,6 +114,9 @@ class Page {
     });
     this.editor.onChange(() => this.update());
     document.addEventListener("keydown", (event) => this.shortcut(event));
+    for (const kind of ["keydown", "keyup"] as const) {
+      document.addEventListener(kind, (event) => this.shifted(event));
+    }
     window.addEventListener("beforeunload", (event) => {
       if (this.editor.history.changed) {
         event.preventDefault();
@@ -168,7 +178,7 @@ class Page {
       "main",
       { class: "stage" },
       this.canvas,
-      this.hint,
+      el("div", { class: "over" }, this.hint, this.option.element),
       el(
         "div",
         { class: "zoom" },
@@ -210,6 +220,7 @@ class Page {
     this.tool = tool;
     this.toolbar.show(tool);
     setText(this.hint, tool.hint);
+    this.option.show(tool);
     this.canvas.dataset["tool"] = tool.name;
     const wanted: Partial<Record<string, Tab>> = {
       route: "Route",
@@ -293,6 +304,7 @@ class Page {
   private grab(at: Point, event: PointerEvent): boolean {
     this.cursor.shown = false;
     this.pinched = false;
+    this.tool.held?.(event.shiftKey);
     return event.button === 0 && !event.ctrlKey && this.tool.press(at);
   }
   private drag(at: Point): void {
@@ -320,6 +332,9 @@ class Page {
       return;
     }
     const tool = this.tools.find((each) => each.key === event.key.toLowerCase());
+    if (event.key === "Enter") {
+      this.tool.held?.(false);
+    }
     if (this.cursor.key(event, view)) {
       // moved or pressed
     } else if (event.key === "Escape") {
@@ -329,11 +344,17 @@ class Page {
     } else if (event.key === "0") {
       this.desk.fit();
     } else if (tool && !event.altKey) {
-      this.take(tool);
+      tool === this.tool && tool.option ? this.option.press() : this.take(tool);
     } else {
       return;
     }
     event.preventDefault();
+  }
+  /** Shift under a stroke of the mouse; of the keyboard's cursor it makes the strides longer. */
+  private shifted(event: KeyboardEvent): void {
+    if (event.key === "Shift" && !this.cursor.shown) {
+      this.tool.held?.(event.type === "keydown");
+    }
   }
   private shortcut(event: KeyboardEvent): void {
     if (!(event.ctrlKey || event.metaKey) || document.querySelector("dialog[open]")) {
@@ -370,13 +391,6 @@ class Page {
     }
     this.canvas.focus();
   }
-}
-
-/** Scale and north of a plan, for the line at the bottom. */
-function placement(plan: Plan): string {
-  const scale = plan.scaled ? `1 px = ${Number((plan.resolution_m * 100).toPrecision(3))} cm` : "no scale yet";
-  const turned_deg = Number(((-plan.origin[2] * 180) / Math.PI).toFixed(1));
-  return `${scale}, north is up${turned_deg === 0 ? "" : `: plan turned by ${turned_deg}°`}`;
 }
 
 new Page().build(document.getElementById("app") as HTMLElement);

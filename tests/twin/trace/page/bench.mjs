@@ -1,13 +1,16 @@
 // SPDX-License-Identifier: MIT
 // A `twin trace` of its own, a page on it in the common browser, and hands for both.
+import assert from "node:assert/strict";
 import { spawn } from "node:child_process";
-import { mkdtempSync, rmSync } from "node:fs";
+import { mkdirSync, mkdtempSync, readFileSync, rmSync } from "node:fs";
 import { tmpdir } from "node:os";
 import { join } from "node:path";
+import test, { after } from "node:test";
 import { openBrowser } from "../../../robot/telemetry/browser.mjs";
 
-const [program, pages] = process.argv.slice(2);
+const [program, pages, pictures] = process.argv.slice(2);
 export const browser = await openBrowser(pages);
+after(() => browser.close());
 
 /** Runs `twin` to its end. \returns its exit code and what it said */
 export function twin(...words) {
@@ -124,4 +127,48 @@ export class Bench {
   async tab(name) {
     await this.page.getByRole("tab", { name }).click();
   }
+}
+
+/** A test with a server and a page of its own, which end with it. */
+export function onThePage(name, how, body) {
+  test(name, async () => {
+    const bench = await Bench.begin(how);
+    let code = 0;
+    try {
+      await body(bench);
+      assert.deepEqual(bench.errors, []);
+    } finally {
+      code = await bench.end();
+    }
+    assert.equal(code, 130, "Ctrl-C ends it as docs/cli.md says");
+  });
+}
+
+export async function picture(bench, name) {
+  if (pictures) {
+    mkdirSync(pictures, { recursive: true });
+    await bench.page.mouse.move(700, 20);
+    await bench.quiet();
+    await bench.page.screenshot({ path: join(pictures, `${name}.png`) });
+  }
+}
+export function saved(bench, name) {
+  return readFileSync(join(bench.folder, name), "utf8");
+}
+export async function runs(bench, name) {
+  const run = await twin(
+    "run",
+    join(bench.folder, `${name}.scene.yaml`),
+    "--out",
+    join(bench.folder, "run"),
+    "--no-pictures",
+    "--quiet",
+  );
+  const summary = JSON.parse(saved(bench, "run/summary.json"));
+  assert.equal(run.code, 0, `${run.said} ${JSON.stringify(summary.expect)}`);
+  return summary;
+}
+/** Until the reader of scenes takes what is drawn. */
+export async function sceneTaken(bench, words = "") {
+  await bench.page.locator("#panel .good", { hasText: `takes this scene.${words}` }).waitFor();
 }

@@ -4,64 +4,16 @@
 //   PAGES     where script/pages built, with npm's packages
 //   PICTURES  a folder for screenshots
 import assert from "node:assert/strict";
-import { existsSync, mkdirSync, mkdtempSync, readFileSync, rmSync, writeFileSync } from "node:fs";
+import { existsSync, mkdtempSync, rmSync, writeFileSync } from "node:fs";
 import { tmpdir } from "node:os";
 import { join } from "node:path";
-import test, { after } from "node:test";
-import { Bench, browser, twin } from "./bench.mjs";
+import { after } from "node:test";
+import { browser, onThePage, picture, runs, saved, sceneTaken } from "./bench.mjs";
 import { drawThePapersMap, routeOf, strokes, typeTags } from "./papers_map.mjs";
 import { drawnBuilding, drawnFloor } from "./plans.mjs";
 
-const pictures = process.argv[4];
 const desk = mkdtempSync(join(tmpdir(), "trace-plans-"));
-after(async () => {
-  await browser.close();
-  rmSync(desk, { recursive: true, force: true });
-});
-
-/** A test with a server and a page of its own, which end with it. */
-function onThePage(name, how, body) {
-  test(name, async () => {
-    const bench = await Bench.begin(how);
-    let code = 0;
-    try {
-      await body(bench);
-      assert.deepEqual(bench.errors, []);
-    } finally {
-      code = await bench.end();
-    }
-    assert.equal(code, 130, "Ctrl-C ends it as docs/cli.md says");
-  });
-}
-
-async function picture(bench, name) {
-  if (pictures) {
-    mkdirSync(pictures, { recursive: true });
-    await bench.page.mouse.move(700, 20);
-    await bench.quiet();
-    await bench.page.screenshot({ path: join(pictures, `${name}.png`) });
-  }
-}
-function saved(bench, name) {
-  return readFileSync(join(bench.folder, name), "utf8");
-}
-async function runs(bench, name) {
-  const run = await twin(
-    "run",
-    join(bench.folder, `${name}.scene.yaml`),
-    "--out",
-    join(bench.folder, "run"),
-    "--no-pictures",
-    "--quiet",
-  );
-  const summary = JSON.parse(saved(bench, "run/summary.json"));
-  assert.equal(run.code, 0, `${run.said} ${JSON.stringify(summary.expect)}`);
-  return summary;
-}
-/** Until the reader of scenes takes what is drawn. */
-async function sceneTaken(bench, words = "") {
-  await bench.page.locator("#panel .good", { hasText: `takes this scene.${words}` }).waitFor();
-}
+after(() => rmSync(desk, { recursive: true, force: true }));
 
 onThePage("the paper's map is drawn from nothing by mouse, saved, loaded and planned over", {}, async (bench) => {
   await drawThePapersMap(bench);
@@ -169,14 +121,6 @@ onThePage("a mistake is told by the robot's reader, and leads to the culprit", {
   await bench.press("Save");
   await bench.says("Saved as a draft (plan.trace.json)");
   assert.ok(!existsSync(join(bench.folder, "plan.hallways.yaml")));
-});
-
-onThePage("hallways run along compass points: a slanting stroke makes none, and says why", {}, async (bench) => {
-  await bench.calibrate();
-  await bench.tool("Hallway");
-  await bench.drag([0, 0], [6, 5]);
-  assert.match(await bench.said(), /40° off east/);
-  assert.match(await bench.page.locator("#panel").innerText(), /Places \(0\)/);
 });
 
 onThePage("a blocked hallway is gone round", {}, async (bench) => {

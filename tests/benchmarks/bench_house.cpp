@@ -156,7 +156,7 @@ class Race {
   Cost run(bool recorded) {
     Cost cost;
     const Scratch scratch;
-    RunFolder folder(scratch.path(), Existing::kRefuse);
+    robot::RunFolder folder(scratch.path(), robot::Existing::kRefuse);
     std::optional<RunRecorder> recorder;
     if (recorded) {
       recorder.emplace(folder, kTraceEvery);

@@ -9,7 +9,7 @@
 
 #include "robot/base/geometry.hpp"
 #include "robot/base/random.hpp"
-#include "twin/scene/problem.hpp"
+#include "robot/config/problem.hpp"
 
 namespace sensotwin::twin {
 namespace {
@@ -24,11 +24,11 @@ void check_channels(const CalibrationInput& input, int channels) {
   for (const TagLog& log : input.logs) {
     for (const LogRow& row : log.rows) {
       if (row.channel > channels) {
-        throw SceneError({{{log.name, 0, 0},
-                           "channel_index",
-                           fmt::format("channel {} of {}", row.channel, channels),
-                           "--band or --hop-table with all channels was expected"}},
-                         kExitInvalid);
+        throw robot::LoadError({{{log.name, 0, 0},
+                                 "channel_index",
+                                 fmt::format("channel {} of {}", row.channel, channels),
+                                 "--band or --hop-table with all channels was expected"}},
+                               robot::kExitInvalid);
       }
     }
   }

@@ -11,8 +11,8 @@
 #include <numbers>
 #include <optional>
 
-#include "twin/scene/problem.hpp"
-#include "twin/scene/text_file.hpp"
+#include "robot/config/problem.hpp"
+#include "robot/config/text_file.hpp"
 
 namespace sensotwin::twin {
 namespace {
@@ -42,7 +42,7 @@ class CsvReader {
 
   /// The next line that is not empty; nothing at the end, or when nobody would read further mistakes.
   std::optional<std::vector<Cell>> next() {
-    while (begin_ < text_.size() && problems_.size() < SceneError::kProblemsMax) {
+    while (begin_ < text_.size() && problems_.size() < robot::LoadError::kProblemsMax) {
       const std::size_t end = std::min(text_.find('\n', begin_), text_.size());
       std::string_view line = text_.substr(begin_, end - begin_);
       begin_ = end + 1;
@@ -62,7 +62,7 @@ class CsvReader {
         {{source_, std::max(line_, 1), column}, std::move(path), std::move(what), std::move(hint)});
   }
   [[nodiscard]] bool faulty() const { return !problems_.empty(); }
-  [[noreturn]] void throw_faults() { throw SceneError(std::move(problems_), kExitInvalid); }
+  [[noreturn]] void throw_faults() { throw robot::LoadError(std::move(problems_), robot::kExitInvalid); }
 
   /// A number of the cell, from `low` to `high`.
   std::optional<double> number(const Cell& cell, std::string_view name, double low, double high) {
@@ -82,7 +82,7 @@ class CsvReader {
   std::string source_;
   std::size_t begin_{0};
   int line_{0};
-  std::vector<Problem> problems_;
+  std::vector<robot::Problem> problems_;
 };
 
 /// 2025-04-28T17:50:55.460336 as seconds; nothing for other text.
@@ -224,12 +224,12 @@ TagLog parse_sllurp_log(std::string_view text, const std::filesystem::path& file
 }
 
 TagLog read_sllurp_log(const std::filesystem::path& file) {
-  return parse_sllurp_log(read_text_file(file, "log"), file);
+  return parse_sllurp_log(robot::read_text_file(file, "log"), file);
 }
 
 std::vector<KeyedNumber> read_keyed_numbers(const std::filesystem::path& file, std::string_view key,
                                             std::string_view value) {
-  const std::string text = read_text_file(file, "table");
+  const std::string text = robot::read_text_file(file, "table");
   CsvReader csv(text, file.string());
   const auto header = csv.next();
   std::vector<KeyedNumber> numbers;

@@ -8,9 +8,9 @@
 #include <ostream>
 
 #include "robot/cli/help_formatter.hpp"
+#include "robot/config/nearest_name.hpp"
+#include "robot/output/output_error.hpp"
 #include "twin/cli/version.hpp"
-#include "twin/output/output_error.hpp"
-#include "twin/scene/nearest_name.hpp"
 
 namespace sensotwin::twin {
 namespace {
@@ -80,7 +80,7 @@ std::optional<std::string> unknown_word(const CLI::App& app, const std::vector<C
       const auto own = option_names(*chosen.front());
       names.insert(names.begin(), own.begin(), own.end());
     }
-    return "unknown option '" + word + "'" + did_you_mean(word, names);
+    return "unknown option '" + word + "'" + robot::did_you_mean(word, names);
   }
   if (chosen.empty()) {
     std::vector<std::string> names;
@@ -88,25 +88,25 @@ std::optional<std::string> unknown_word(const CLI::App& app, const std::vector<C
     for (const Command& command : commands) {
       names.push_back(command.name);
     }
-    return "unknown command '" + word + "'" + did_you_mean(word, names);
+    return "unknown command '" + word + "'" + robot::did_you_mean(word, names);
   }
   return "unexpected operand '" + word + "'";
 }
 
-ExitCode refuse_command_line(const CLI::App& app, const std::vector<Command>& commands,
-                             const Environment& environment, const std::string& reason) {
+robot::ExitCode refuse_command_line(const CLI::App& app, const std::vector<Command>& commands,
+                                    const Environment& environment, const std::string& reason) {
   const auto chosen = app.get_subcommands();
   const std::string program = "twin" + (chosen.empty() ? "" : " " + chosen.front()->get_name());
   complain(environment, environment.err_is_terminal && !environment.no_color,
            unknown_word(app, commands).value_or(reason));
   environment.err << "'" << program << " --help' shows how it is used\n";
-  return ExitCode::kWrongCommandLine;
+  return robot::ExitCode::kWrongCommandLine;
 }
 
-ExitCode run_guarded(const Command& command, Context& context, const Environment& environment) {
+robot::ExitCode run_guarded(const Command& command, Context& context, const Environment& environment) {
   try {
     return command.run(context);
-  } catch (const OutputError& error) {
+  } catch (const robot::OutputError& error) {
     complain(environment, context.color, error.what());
     return error.exit_code();
   } catch (const CommandError& error) {
@@ -118,18 +118,18 @@ ExitCode run_guarded(const Command& command, Context& context, const Environment
     return error.exit_code();
   } catch (const std::exception& error) {
     complain(environment, context.color, std::string("internal: ") + error.what());
-    return ExitCode::kInternal;
+    return robot::ExitCode::kInternal;
   }
 }
 
 /// Results that did not reach stdout (a full disk behind '>') are no success.
-ExitCode checked_stdout(ExitCode code, const Environment& environment) {
+robot::ExitCode checked_stdout(robot::ExitCode code, const Environment& environment) {
   environment.out.flush();
   if (environment.out.good()) {
     return code;
   }
   complain(environment, false, "cannot write to standard output");
-  return ExitCode::kIoError;
+  return robot::ExitCode::kIoError;
 }
 
 }  // namespace
@@ -150,8 +150,8 @@ void Context::warn(std::string_view line) const {
   talk << (color ? kYellow : "") << "warning:" << (color ? kPlain : "") << ' ' << line << '\n';
 }
 
-ExitCode run_application(const std::vector<std::string>& arguments, const std::vector<Command>& commands,
-                         const Environment& environment) {
+robot::ExitCode run_application(const std::vector<std::string>& arguments,
+                                const std::vector<Command>& commands, const Environment& environment) {
   CLI::App app{"a digital twin of a Roomba that maps and navigates by RFID", "twin"};
   app.formatter(std::make_shared<robot::HelpFormatter>());
   app.fallthrough();
@@ -169,13 +169,13 @@ ExitCode run_application(const std::vector<std::string>& arguments, const std::v
     app.parse(std::vector<std::string>(arguments.rbegin(), arguments.rend()));
   } catch (const CLI::CallForHelp& help) {
     (void)app.exit(help, environment.out, environment.err);
-    return checked_stdout(ExitCode::kDone, environment);
+    return checked_stdout(robot::ExitCode::kDone, environment);
   } catch (const CLI::ParseError& error) {
     return refuse_command_line(app, commands, environment, error.what());
   }
   if (global.version) {
     environment.out << (global.json ? version_json() : version_text());
-    return checked_stdout(ExitCode::kDone, environment);
+    return checked_stdout(robot::ExitCode::kDone, environment);
   }
   const auto chosen = app.get_subcommands();
   if (chosen.empty()) {

@@ -23,7 +23,8 @@ struct Environment {
 
 /// Parses `arguments` (without the program's name), runs the command that they name and says what went wrong.
 /// Throws nothing. \returns the process's exit code
-[[nodiscard]] ExitCode run_application(const std::vector<std::string>& arguments,
-                                       const std::vector<Command>& commands, const Environment& environment);
+[[nodiscard]] robot::ExitCode run_application(const std::vector<std::string>& arguments,
+                                              const std::vector<Command>& commands,
+                                              const Environment& environment);
 
 }  // namespace sensotwin::twin

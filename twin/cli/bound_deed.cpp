@@ -48,11 +48,11 @@ std::string json_of(const Scene& scene, const SceneBound& bound, const std::opti
 
 }  // namespace
 
-ExitCode bound_deed(const BoundOptions& options, Context& context) {
+robot::ExitCode bound_deed(const BoundOptions& options, Context& context) {
   const Scene scene = scene_of(options.choice);
   const std::optional<SceneBound> bound = bound_of(scene);
   if (!bound) {
-    throw CommandError(ExitCode::kInvalidData,
+    throw CommandError(robot::ExitCode::kInvalidData,
                        fmt::format("{}: no path along ceiling tags: mission.phase with two destinations that "
                                    "are there, or a circle",
                                    scene.file));
@@ -60,14 +60,14 @@ ExitCode bound_deed(const BoundOptions& options, Context& context) {
   const std::optional<ImageBound> images = options.images ? image_bound_of(scene) : std::nullopt;
   if (options.images && !images) {
     throw CommandError(
-        ExitCode::kInvalidData,
+        robot::ExitCode::kInvalidData,
         fmt::format("{}: --images needs world.radio.images above 0, antennas that read at once, "
                     "and mission.phase.path: polyline of two destinations",
                     scene.file));
   }
   context.out << (context.json ? json_of(scene, *bound, images)
                                : table_of(*bound) + (images ? table_of(*images) : ""));
-  return ExitCode::kDone;
+  return robot::ExitCode::kDone;
 }
 
 }  // namespace sensotwin::twin

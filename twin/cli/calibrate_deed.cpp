@@ -6,12 +6,12 @@
 #include <optional>
 #include <ostream>
 
+#include "robot/config/problem.hpp"
+#include "robot/output/signals.hpp"
 #include "twin/calibrate/calibration.hpp"
 #include "twin/calibrate/calibration_chart.hpp"
 #include "twin/cli/deed_support.hpp"
 #include "twin/cli/deeds.hpp"
-#include "twin/output/signals.hpp"
-#include "twin/scene/problem.hpp"
 
 namespace sensotwin::twin {
 namespace {
@@ -35,7 +35,7 @@ Band band_from(const std::string& text) {
   if (!ok || !(first_mhz > 0.0 && first_mhz < 1e5 && step_mhz > 0.0 && step_mhz < 1e3) || band.channels < 2 ||
       band.channels > 1000) {
     throw CommandError(
-        ExitCode::kWrongCommandLine,
+        robot::ExitCode::kWrongCommandLine,
         fmt::format("--band {}: FIRST:STEP:COUNT in MHz was expected, as 902.75:0.5:50", text));
   }
   band.first_hz = 1e6 * first_mhz;
@@ -52,11 +52,11 @@ std::vector<double> hop_table_from(const std::filesystem::path& file) {
     const char* const end = number.key.data() + number.key.size();
     if (std::from_chars(number.key.data(), end, index).ptr != end || index < 1 ||
         index > channels_hz.size()) {
-      throw SceneError({{{file.string(), 0, 0},
-                         "channel_index",
-                         fmt::format("'{}'", number.key),
-                         fmt::format("each of 1 to {} was expected once", channels_hz.size())}},
-                       kExitInvalid);
+      throw robot::LoadError({{{file.string(), 0, 0},
+                               "channel_index",
+                               fmt::format("'{}'", number.key),
+                               fmt::format("each of 1 to {} was expected once", channels_hz.size())}},
+                             robot::kExitInvalid);
     }
     channels_hz[index - 1] = 1e6 * number.value;
   }
@@ -90,14 +90,14 @@ CalibrationInput input_of(const CalibrateOptions& options) {
       input.channels_hz = hop_table_from(*options.hop_table);
     }
     return input;
-  } catch (const SceneError& error) {
-    throw CommandError(static_cast<ExitCode>(error.exit_code()), error.what(), true);
+  } catch (const robot::LoadError& error) {
+    throw CommandError(static_cast<robot::ExitCode>(error.exit_code()), error.what(), true);
   }
 }
 
 }  // namespace
 
-ExitCode calibrate_deed(const CalibrateOptions& options, Context& context) {
+robot::ExitCode calibrate_deed(const CalibrateOptions& options, Context& context) {
   CalibrationSettings settings;
   settings.band = band_from(options.band);
   settings.phase_sign = options.phase == "rises" ? 1.0 : -1.0;
@@ -107,12 +107,12 @@ ExitCode calibrate_deed(const CalibrateOptions& options, Context& context) {
   const CalibrationInput input = input_of(options);
   std::optional<Calibration> result;
   try {
-    result = calibrate(input, settings, [] { return !pending_interruption(); });
-  } catch (const SceneError& error) {
-    throw CommandError(static_cast<ExitCode>(error.exit_code()), error.what(), true);
+    result = calibrate(input, settings, [] { return !robot::pending_interruption(); });
+  } catch (const robot::LoadError& error) {
+    throw CommandError(static_cast<robot::ExitCode>(error.exit_code()), error.what(), true);
   }
   if (!result) {
-    return pending_interruption().value_or(ExitCode::kInterrupted);
+    return robot::pending_interruption().value_or(robot::ExitCode::kInterrupted);
   }
   if (options.out) {
     write_file(*options.out, to_profile(*result), options.force);
@@ -122,7 +122,7 @@ ExitCode calibrate_deed(const CalibrateOptions& options, Context& context) {
                   fmt::format("seed {}", settings.seed), options.force);
   }
   context.out << (context.json ? to_json(*result) : to_table(*result));
-  return ExitCode::kDone;
+  return robot::ExitCode::kDone;
 }
 
 }  // namespace sensotwin::twin

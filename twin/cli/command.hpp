@@ -8,7 +8,7 @@
 #include <string>
 #include <string_view>
 
-#include "twin/output/exit_codes.hpp"
+#include "robot/output/exit_codes.hpp"
 #include "twin/output/progress.hpp"
 
 namespace CLI {  // NOLINT(readability-identifier-naming): the library's name
@@ -44,13 +44,13 @@ struct Context {
 class CommandError : public std::runtime_error {
  public:
   /// \param complete  `what` is lines of the form "file:line:col: error: ...": printed as they are
-  CommandError(ExitCode exit_code, const std::string& what, bool complete = false)
+  CommandError(robot::ExitCode exit_code, const std::string& what, bool complete = false)
       : std::runtime_error(what), exit_code_(exit_code), complete_(complete) {}
-  [[nodiscard]] ExitCode exit_code() const { return exit_code_; }
+  [[nodiscard]] robot::ExitCode exit_code() const { return exit_code_; }
   [[nodiscard]] bool complete() const { return complete_; }
 
  private:
-  ExitCode exit_code_;
+  robot::ExitCode exit_code_;
   bool complete_;
 };
 
@@ -60,7 +60,8 @@ struct Command {
   std::string summary;                    ///< one line, small letter first, no full stop
   std::string examples;                   ///< command lines, one a line; help opens with them
   std::function<void(CLI::App&)> set_up;  ///< declares options and operands
-  std::function<ExitCode(Context&)> run;  ///< after a successful parse; may throw OutputError, CommandError
+  std::function<robot::ExitCode(Context&)>
+      run;  ///< after a successful parse; may throw OutputError, CommandError
 };
 
 }  // namespace sensotwin::twin

@@ -15,7 +15,7 @@
 namespace sensotwin::twin {
 
 template <class Options>
-using Deed = std::function<ExitCode(const Options&, Context&)>;
+using Deed = std::function<robot::ExitCode(const Options&, Context&)>;
 
 /// A scene, and what the command line changes in it.
 struct SceneChoice {

@@ -10,9 +10,9 @@
 #include <thread>
 
 #include "render/png_writer.hpp"
+#include "robot/output/output_file.hpp"
+#include "robot/output/signals.hpp"
 #include "robot/telemetry/web/web_error.hpp"
-#include "twin/output/output_file.hpp"
-#include "twin/output/signals.hpp"
 #include "twin/scene/scene_reader.hpp"
 
 namespace sensotwin::twin {
@@ -26,17 +26,17 @@ constexpr std::chrono::duration<double> kLook{0.1};
 Scene scene_of(const SceneChoice& choice) {
   try {
     return read_scene(choice.scene, {.set = choice.set, .seed = choice.seed, .variant = choice.variant});
-  } catch (const SceneError& error) {
-    throw CommandError(static_cast<ExitCode>(error.exit_code()), error.what(), true);
+  } catch (const robot::LoadError& error) {
+    throw CommandError(static_cast<robot::ExitCode>(error.exit_code()), error.what(), true);
   }
 }
 
 void write_file(const std::filesystem::path& path, std::string_view content, bool force) {
   if (!force && std::filesystem::exists(path)) {
-    throw CommandError(ExitCode::kCannotCreate,
+    throw CommandError(robot::ExitCode::kCannotCreate,
                        fmt::format("{}: exists; --force replaces it", path.string()));
   }
-  OutputFile file(path);
+  robot::OutputFile file(path);
   file.append(content);
   file.finish();
 }
@@ -58,7 +58,7 @@ std::unique_ptr<robot::Monitor> monitor_for(const std::optional<std::string>& ad
     context.talk << "monitor at " << monitor->url() << '\n' << std::flush;
     return monitor;
   } catch (const robot::WebError& error) {
-    throw CommandError(ExitCode::kUnavailable, error.what());
+    throw CommandError(robot::ExitCode::kUnavailable, error.what());
   }
 }
 
@@ -68,14 +68,14 @@ void linger(const robot::Monitor& monitor, const std::optional<double>& seconds,
   }
   context.out.flush();
   const double until_s = context.wall_s() + seconds.value_or(INFINITY);
-  while (!pending_interruption() && context.wall_s() < until_s) {
+  while (!robot::pending_interruption() && context.wall_s() < until_s) {
     std::this_thread::sleep_for(kLook);
   }
 }
 
 void wait_until_due(double sim_s, double rtf, double begun_s, const Context& context) {
   const double due_s = begun_s + sim_s / rtf;
-  while (!pending_interruption()) {
+  while (!robot::pending_interruption()) {
     const double left_s = due_s - context.wall_s();
     if (left_s <= 0.0) {
       return;

@@ -39,7 +39,7 @@ void wait_until_due(double sim_s, double rtf, double begun_s, const Context& con
 template <class T>
 T drawn_or_throw(render::Rendered<T> result) {
   if (!result) {
-    throw CommandError(ExitCode::kUnavailable, result.error().message);
+    throw CommandError(robot::ExitCode::kUnavailable, result.error().message);
   }
   return std::move(*result);
 }

@@ -6,18 +6,18 @@
 /// What the commands do: each joins the command line to one library of the twin.
 namespace sensotwin::twin {
 
-ExitCode replay_deed(const ReplayOptions& options, Context& context);
-ExitCode run_deed(const RunOptions& options, Context& context);
-ExitCode serve_deed(const ServeOptions& asked, Context& context);
-ExitCode trace_deed(const TraceOptions& asked, Context& context);
-ExitCode validate_deed(const ValidateOptions& options, Context& context);
-ExitCode bound_deed(const BoundOptions& options, Context& context);
-ExitCode show_deed(const ShowOptions& options, Context& context);
-ExitCode render_deed(const RenderOptions& options, Context& context);
-ExitCode import_deed(const ImportOptions& options, Context& context);
-ExitCode epsilon_deed(const EpsilonOptions& options, Context& context);
-ExitCode calibrate_deed(const CalibrateOptions& options, Context& context);
-ExitCode chart_deed(const ChartOptions& options, Context& context);
+robot::ExitCode replay_deed(const ReplayOptions& options, Context& context);
+robot::ExitCode run_deed(const RunOptions& options, Context& context);
+robot::ExitCode serve_deed(const ServeOptions& asked, Context& context);
+robot::ExitCode trace_deed(const TraceOptions& asked, Context& context);
+robot::ExitCode validate_deed(const ValidateOptions& options, Context& context);
+robot::ExitCode bound_deed(const BoundOptions& options, Context& context);
+robot::ExitCode show_deed(const ShowOptions& options, Context& context);
+robot::ExitCode render_deed(const RenderOptions& options, Context& context);
+robot::ExitCode import_deed(const ImportOptions& options, Context& context);
+robot::ExitCode epsilon_deed(const EpsilonOptions& options, Context& context);
+robot::ExitCode calibrate_deed(const CalibrateOptions& options, Context& context);
+robot::ExitCode chart_deed(const ChartOptions& options, Context& context);
 
 /// The renderers and their drivers, for `twin doctor`.
 [[nodiscard]] std::vector<Probe> renderer_probes();

@@ -23,7 +23,7 @@ std::string_view status_of(const Probe& probe, const ProbeResult& result) {
   return result.ok ? "ok" : probe.required ? "missing" : "absent";
 }
 
-ExitCode examine(const std::vector<Probe>& probes, Context& context) {
+robot::ExitCode examine(const std::vector<Probe>& probes, Context& context) {
   bool healthy = true;
   auto json = nlohmann::ordered_json::array();
   for (const Probe& probe : probes) {
@@ -42,10 +42,10 @@ ExitCode examine(const std::vector<Probe>& probes, Context& context) {
     context.out << report.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace) << '\n';
   }
   if (!healthy) {
-    throw CommandError(ExitCode::kUnavailable,
+    throw CommandError(robot::ExitCode::kUnavailable,
                        "something that the twin needs is missing; script/bootstrap installs it");
   }
-  return ExitCode::kDone;
+  return robot::ExitCode::kDone;
 }
 
 }  // namespace

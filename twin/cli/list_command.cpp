@@ -8,9 +8,9 @@
 #include <ostream>
 #include <utility>
 
+#include "robot/config/nearest_name.hpp"
 #include "twin/cli/options.hpp"
 #include "twin/output/summary.hpp"
-#include "twin/scene/nearest_name.hpp"
 
 namespace sensotwin::twin {
 namespace {
@@ -33,27 +33,27 @@ void print(const std::vector<ListEntry>& entries, Context& context) {
   }
 }
 
-ExitCode list(const std::vector<ListTopic>& topics, const std::string& wanted, Context& context) {
+robot::ExitCode list(const std::vector<ListTopic>& topics, const std::string& wanted, Context& context) {
   std::vector<ListEntry> names;
   for (const ListTopic& topic : topics) {
     if (topic.name == wanted) {
       print(topic.entries(), context);
-      return ExitCode::kDone;
+      return robot::ExitCode::kDone;
     }
     names.push_back({topic.name, topic.summary});
   }
   if (wanted.empty()) {
     print(names, context);
-    return ExitCode::kDone;
+    return robot::ExitCode::kDone;
   }
   std::vector<std::string> known;
   known.reserve(names.size());
   for (const ListEntry& name : names) {
     known.push_back(name.name);
   }
-  throw CommandError(ExitCode::kWrongCommandLine,
+  throw CommandError(robot::ExitCode::kWrongCommandLine,
                      fmt::format("there is no list of '{}'{}; there are {}", wanted,
-                                 did_you_mean(wanted, known), fmt::join(known, ", ")));
+                                 robot::did_you_mean(wanted, known), fmt::join(known, ", ")));
 }
 
 /// The lesson that a scene opens with.
@@ -131,9 +131,9 @@ ListTopic figures_topic() {
 ListTopic exit_codes_topic() {
   return {"exit-codes", "what the process says when it ends", [] {
             std::vector<ListEntry> entries;
-            entries.reserve(kExitCodeMeanings.size());
-            for (const auto& [code, meaning] : kExitCodeMeanings) {
-              entries.push_back({std::to_string(as_int(code)), std::string{meaning}});
+            entries.reserve(robot::kExitCodeMeanings.size());
+            for (const auto& [code, meaning] : robot::kExitCodeMeanings) {
+              entries.push_back({std::to_string(robot::as_int(code)), std::string{meaning}});
             }
             return entries;
           }};

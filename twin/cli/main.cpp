@@ -6,10 +6,10 @@
 #include <ctime>
 #include <iostream>
 
+#include "robot/output/signals.hpp"
 #include "twin/cli/application.hpp"
 #include "twin/cli/commands.hpp"
 #include "twin/cli/deeds.hpp"
-#include "twin/output/signals.hpp"
 
 namespace {
 
@@ -57,7 +57,7 @@ std::vector<Command> commands() {
 }  // namespace
 
 int main(int argc, char** argv) {
-  install_signal_handlers();
+  sensotwin::robot::install_signal_handlers();
   // llvmpipe's threads cost more than they save at the size of our pictures (render/README.md).
   ::setenv("LP_NUM_THREADS", "1", 0);  // NOLINT(concurrency-mt-unsafe): no thread runs yet
   const auto begin = std::chrono::steady_clock::now();
@@ -72,5 +72,5 @@ int main(int argc, char** argv) {
           [begin] { return std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count(); },
       .utc = utc_now,
   };
-  return as_int(run_application({argv + 1, argv + argc}, commands(), environment));
+  return sensotwin::robot::as_int(run_application({argv + 1, argv + argc}, commands(), environment));
 }

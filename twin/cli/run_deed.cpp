@@ -3,9 +3,9 @@
 
 #include <ostream>
 
+#include "robot/output/signals.hpp"
 #include "twin/cli/deed_support.hpp"
 #include "twin/cli/deeds.hpp"
-#include "twin/output/signals.hpp"
 #include "twin/output/summary.hpp"
 #include "twin/run/scene_run.hpp"
 
@@ -15,7 +15,7 @@ namespace {
 /// Names that `expect:` may not use are found before the run, not after it.
 void check_expectations(const Scene& scene) {
   if (const auto complaint = complain_about(limits_of(scene))) {
-    throw CommandError(ExitCode::kInvalidData, fmt::format("{}: {}", scene.file, *complaint));
+    throw CommandError(robot::ExitCode::kInvalidData, fmt::format("{}: {}", scene.file, *complaint));
   }
 }
 
@@ -41,24 +41,24 @@ std::string table_of(const Summary& summary) {
   return table + fmt::format("verdict {}\n", verdict_of(summary));
 }
 
-ExitCode exit_code_of(const Summary& summary) {
+robot::ExitCode exit_code_of(const Summary& summary) {
   if (summary.interrupted) {
-    return pending_interruption().value_or(ExitCode::kInterrupted);
+    return robot::pending_interruption().value_or(robot::ExitCode::kInterrupted);
   }
-  return verdict_of(summary) == "accepted" ? ExitCode::kDone : ExitCode::kNotAccepted;
+  return verdict_of(summary) == "accepted" ? robot::ExitCode::kDone : robot::ExitCode::kNotAccepted;
 }
 
 }  // namespace
 
-ExitCode run_deed(const RunOptions& options, Context& context) {
+robot::ExitCode run_deed(const RunOptions& options, Context& context) {
   const Scene scene = scene_of(options.choice);
   check_expectations(scene);
   if (options.tag_log && !scene.mission.phase) {
-    throw CommandError(ExitCode::kWrongCommandLine,
+    throw CommandError(robot::ExitCode::kWrongCommandLine,
                        "--tag-log needs a scene with mission.phase: no UHF reader runs here");
   }
-  const auto path = options.out.value_or(default_run_folder(scene.name, scene.seed, context.utc()));
-  RunFolder folder(path, options.force ? Existing::kReplace : Existing::kRefuse);
+  const auto path = options.out.value_or(robot::default_run_folder(scene.name, scene.seed, context.utc()));
+  robot::RunFolder folder(path, options.force ? robot::Existing::kReplace : robot::Existing::kRefuse);
   const auto monitor = monitor_for(options.monitor, context);
   const double total = progress_total_of(scene);
   Progress progress(context.talk, context.progress, scene.name, progress_unit_of(scene));
@@ -81,7 +81,7 @@ ExitCode run_deed(const RunOptions& options, Context& context) {
             if (context.verbosity != Verbosity::kQuiet) {
               progress.update(state);
             }
-            return !pending_interruption();
+            return !robot::pending_interruption();
           },
       .wall_s = context.wall_s,
   };

@@ -5,13 +5,13 @@
 
 #include "render/png_writer.hpp"
 #include "render/scene_picture.hpp"
+#include "robot/config/problem.hpp"
 #include "robot/mapping/explorer_kind.hpp"
 #include "twin/cli/deed_support.hpp"
 #include "twin/cli/deeds.hpp"
 #include "twin/run/scene_views.hpp"
 #include "twin/run/twin_journal.hpp"
 #include "twin/scene/map_import.hpp"
-#include "twin/scene/problem.hpp"
 #include "twin/scene/scene_reader.hpp"
 #include "twin/scene/scene_writer.hpp"
 #include "world/world.hpp"
@@ -62,13 +62,13 @@ Probe renderer_probe(render::Backend backend, bool required) {
 
 }  // namespace
 
-ExitCode show_deed(const ShowOptions& options, Context& context) {
+robot::ExitCode show_deed(const ShowOptions& options, Context& context) {
   const Scene scene = scene_of(options.choice);
   context.out << (options.robot ? robot_file_of(scene) : scene_yaml(scene));
-  return ExitCode::kDone;
+  return robot::ExitCode::kDone;
 }
 
-ExitCode render_deed(const RenderOptions& options, Context& context) {
+robot::ExitCode render_deed(const RenderOptions& options, Context& context) {
   const Scene scene = scene_of(options.choice);
   const world::World world(scene.world, scene.robot, scene.physics,
                            robot::RandomStream(scene.seed).fork("world"));
@@ -84,10 +84,10 @@ ExitCode render_deed(const RenderOptions& options, Context& context) {
   write_picture(path, drawn.image, render::provenance(scene.name, scene.seed, gl->renderer()), options.force);
   context.say_more(gl->renderer());
   context.out << path.string() << '\n';
-  return ExitCode::kDone;
+  return robot::ExitCode::kDone;
 }
 
-ExitCode import_deed(const ImportOptions& options, Context& context) {
+robot::ExitCode import_deed(const ImportOptions& options, Context& context) {
   try {
     const OccupancyMap map = read_map(options.map);
     const MapCounts figures = counts(map, outline(map));
@@ -107,10 +107,10 @@ ExitCode import_deed(const ImportOptions& options, Context& context) {
     context.say(fmt::format("{:.0f} m2 of floor, {} walls of {} segments, {} tiles", figures.free_m2,
                             figures.outlines, figures.segments, scene.world.carpet.tiles.size()));
     context.out << path.string() << '\n';
-  } catch (const SceneError& error) {
-    throw CommandError(static_cast<ExitCode>(error.exit_code()), error.what(), true);
+  } catch (const robot::LoadError& error) {
+    throw CommandError(static_cast<robot::ExitCode>(error.exit_code()), error.what(), true);
   }
-  return ExitCode::kDone;
+  return robot::ExitCode::kDone;
 }
 
 std::vector<Probe> renderer_probes() {
@@ -126,7 +126,7 @@ ListTopic variants_topic(std::vector<std::filesystem::path> folders) {
                   entries.push_back({file.string() + " --variant " + variant,
                                      read_scene(file, {.variant = variant}).title});
                 }
-              } catch (const SceneError& error) {
+              } catch (const robot::LoadError& error) {
                 entries.push_back({file.string(), error.problems().front().text()});
               }
             }

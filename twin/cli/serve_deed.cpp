@@ -3,10 +3,10 @@
 
 #include <ostream>
 
+#include "robot/output/signals.hpp"
 #include "twin/cli/deed_support.hpp"
 #include "twin/cli/deeds.hpp"
 #include "twin/output/progress.hpp"
-#include "twin/output/signals.hpp"
 #include "twin/serve/serve_error.hpp"
 #include "twin/serve/serve_folder.hpp"
 #include "twin/serve/server.hpp"
@@ -41,7 +41,7 @@ class StatusLine {
 Endpoint endpoint_of(const char* option, const std::string& text) {
   const auto endpoint = endpoint_from(text);
   if (!endpoint) {
-    throw CommandError(ExitCode::kWrongCommandLine,
+    throw CommandError(robot::ExitCode::kWrongCommandLine,
                        fmt::format("{}: '{}' is not of the form host:port", option, text));
   }
   return *endpoint;
@@ -64,7 +64,7 @@ ServerSettings settings_of(const ServeOptions& asked, Context& context, StatusLi
   }
   settings.end_after_sim_s = asked.end_after_sim_s;
   settings.wall_s = context.wall_s;
-  settings.keep_going = [] { return !pending_interruption(); };
+  settings.keep_going = [] { return !robot::pending_interruption(); };
   settings.say = [&context, &line](std::string_view text) {
     line.clear();
     context.say(text);
@@ -78,7 +78,7 @@ ServerSettings settings_of(const ServeOptions& asked, Context& context, StatusLi
 
 }  // namespace
 
-ExitCode serve_deed(const ServeOptions& asked, Context& context) {
+robot::ExitCode serve_deed(const ServeOptions& asked, Context& context) {
   const Scene scene = scene_of(asked.choice);
   StatusLine line(context);
   const auto monitor = monitor_for(asked.monitor, context);
@@ -90,9 +90,9 @@ ExitCode serve_deed(const ServeOptions& asked, Context& context) {
     line.clear();
     context.out << (context.json ? to_json(last, scene, settings) : table_of(last));
   } catch (const ServeError& error) {
-    throw CommandError(ExitCode::kUnavailable, error.what());
+    throw CommandError(robot::ExitCode::kUnavailable, error.what());
   }
-  return pending_interruption().value_or(ExitCode::kDone);
+  return robot::pending_interruption().value_or(robot::ExitCode::kDone);
 }
 
 }  // namespace sensotwin::twin

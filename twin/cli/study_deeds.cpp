@@ -10,9 +10,9 @@
 
 #include "render/charts.hpp"
 #include "render/mapping_pictures.hpp"
+#include "robot/output/signals.hpp"
 #include "twin/cli/deed_support.hpp"
 #include "twin/cli/deeds.hpp"
-#include "twin/output/signals.hpp"
 #include "twin/study/epsilon_study.hpp"
 
 namespace sensotwin::twin {
@@ -21,13 +21,13 @@ namespace {
 nlohmann::json read_json(const std::filesystem::path& path) {
   std::ifstream in(path);
   if (!in) {
-    throw CommandError(ExitCode::kInputMissing,
+    throw CommandError(robot::ExitCode::kInputMissing,
                        fmt::format("{}: cannot be read; is this the folder of a run?", path.string()));
   }
   try {
     return nlohmann::json::parse(in);
   } catch (const nlohmann::json::exception& error) {
-    throw CommandError(ExitCode::kInvalidData, fmt::format("{}: {}", path.string(), error.what()));
+    throw CommandError(robot::ExitCode::kInvalidData, fmt::format("{}: {}", path.string(), error.what()));
   }
 }
 
@@ -35,7 +35,7 @@ nlohmann::json read_json(const std::filesystem::path& path) {
 render::ExplorerRun found_in(const std::filesystem::path& folder, const std::string& explorer) {
   std::ifstream in(folder / "events.jsonl");
   if (!in) {
-    throw CommandError(ExitCode::kInputMissing,
+    throw CommandError(robot::ExitCode::kInputMissing,
                        fmt::format("{}: cannot be read", (folder / "events.jsonl").string()));
   }
   render::ExplorerRun run{explorer, {{0.0, 0.0}}};
@@ -44,7 +44,7 @@ render::ExplorerRun found_in(const std::filesystem::path& folder, const std::str
     ++line_number;
     const auto event = nlohmann::json::parse(line, nullptr, false);
     if (event.is_discarded() || !event.contains("event") || !event.contains("t_s")) {
-      throw CommandError(ExitCode::kInvalidData,
+      throw CommandError(robot::ExitCode::kInvalidData,
                          fmt::format("{}:{}: no event", (folder / "events.jsonl").string(), line_number));
     }
     if (event["event"] == "tile_found") {
@@ -83,7 +83,7 @@ render::HeatmapChart surface_of(const EpsilonStudy& study) {
 
 }  // namespace
 
-ExitCode chart_deed(const ChartOptions& options, Context& context) {
+robot::ExitCode chart_deed(const ChartOptions& options, Context& context) {
   render::TagsOverTime chart;
   for (const std::filesystem::path& folder : options.runs) {
     const nlohmann::json summary = read_json(folder / "summary.json");
@@ -97,7 +97,7 @@ ExitCode chart_deed(const ChartOptions& options, Context& context) {
       auto& found = chart.runs.back().found;
       found.push_back({std::max(map.at("minutes").get<double>(), found.back().x), found.back().y});
     } catch (const nlohmann::json::exception& error) {
-      throw CommandError(ExitCode::kInvalidData,
+      throw CommandError(robot::ExitCode::kInvalidData,
                          fmt::format("{}: {}", (folder / "summary.json").string(), error.what()));
     }
   }
@@ -106,10 +106,10 @@ ExitCode chart_deed(const ChartOptions& options, Context& context) {
   const auto path = options.out.value_or("tags_over_time.png");
   write_picture(path, drawn.image, fmt::format("scene {}, seed {}", chart.scene, chart.seed), options.force);
   context.out << path.string() << '\n';
-  return ExitCode::kDone;
+  return robot::ExitCode::kDone;
 }
 
-ExitCode epsilon_deed(const EpsilonOptions& options, Context& context) {
+robot::ExitCode epsilon_deed(const EpsilonOptions& options, Context& context) {
   EpsilonStudyOptions study;
   study.maps_per_cell = options.maps_per_cell;
   study.seed = options.seed;
@@ -122,7 +122,7 @@ ExitCode epsilon_deed(const EpsilonOptions& options, Context& context) {
   for (const std::string& name : options.explorers) {
     const auto kind = robot::explorer_kind_from(name);
     if (!kind) {
-      throw CommandError(ExitCode::kWrongCommandLine,
+      throw CommandError(robot::ExitCode::kWrongCommandLine,
                          fmt::format("no explorer is called '{}'; twin list explorers names them", name));
     }
     study.explorers.push_back(*kind);
@@ -138,13 +138,13 @@ ExitCode epsilon_deed(const EpsilonOptions& options, Context& context) {
                .note = {}};
       progress.update(state);
     }
-    return !pending_interruption();
+    return !robot::pending_interruption();
   });
   if (context.verbosity != Verbosity::kQuiet) {
     progress.finish(state);
   }
   if (!result) {
-    return pending_interruption().value_or(ExitCode::kInterrupted);
+    return robot::pending_interruption().value_or(robot::ExitCode::kInterrupted);
   }
   if (options.out) {
     write_file(*options.out, to_csv(*result), options.force);
@@ -154,7 +154,7 @@ ExitCode epsilon_deed(const EpsilonOptions& options, Context& context) {
     write_picture(*options.chart, drawn.image, fmt::format("seed {}", study.seed), options.force);
   }
   context.out << (context.json ? to_json(*result) : to_table(*result));
-  return ExitCode::kDone;
+  return robot::ExitCode::kDone;
 }
 
 }  // namespace sensotwin::twin

@@ -10,10 +10,10 @@
 #include <system_error>
 #include <thread>
 
+#include "robot/output/signals.hpp"
 #include "robot/telemetry/web/web_error.hpp"
 #include "robot/telemetry/web/web_server.hpp"
 #include "twin/cli/deeds.hpp"
-#include "twin/output/signals.hpp"
 #include "twin/trace/trace_site.hpp"
 
 namespace sensotwin::twin {
@@ -25,7 +25,7 @@ class ScratchFolder {
   ScratchFolder() {
     std::string pattern = (std::filesystem::temp_directory_path() / "twin-trace-XXXXXX").string();
     if (::mkdtemp(pattern.data()) == nullptr) {
-      throw CommandError(ExitCode::kCannotCreate,
+      throw CommandError(robot::ExitCode::kCannotCreate,
                          fmt::format("cannot create a temporary folder '{}'", pattern));
     }
     path_ = pattern;
@@ -66,11 +66,11 @@ void open_browser(const std::string& url, Context& context) {
 
 }  // namespace
 
-ExitCode trace_deed(const TraceOptions& asked, Context& context) {
+robot::ExitCode trace_deed(const TraceOptions& asked, Context& context) {
   robot::WebServerOptions web;
   const auto address = robot::web_address(asked.listen);
   if (!address) {
-    throw CommandError(ExitCode::kWrongCommandLine,
+    throw CommandError(robot::ExitCode::kWrongCommandLine,
                        fmt::format("--listen: '{}' is not of the form host:port", asked.listen));
   }
   web.address = *address;
@@ -85,7 +85,7 @@ ExitCode trace_deed(const TraceOptions& asked, Context& context) {
     if (asked.out && names_a_file(*asked.out)) {
       const std::string name = asked.out->filename().string();
       if (!is_file_name(name)) {
-        throw CommandError(ExitCode::kWrongCommandLine,
+        throw CommandError(robot::ExitCode::kWrongCommandLine,
                            fmt::format("--out: '{}' is no name that the page could save", name));
       }
       session.suggest_hallways_file(name);
@@ -102,16 +102,16 @@ ExitCode trace_deed(const TraceOptions& asked, Context& context) {
     if (asked.open) {
       open_browser(server.url(), context);
     }
-    while (!pending_interruption()) {
+    while (!robot::pending_interruption()) {
       // Chosen: Ctrl-C is obeyed at once, as far as a person can tell, and nothing is burnt.
       std::this_thread::sleep_for(std::chrono::milliseconds{50});
     }
-  } catch (const SceneError& error) {
-    throw CommandError(static_cast<ExitCode>(error.exit_code()), error.what(), true);
+  } catch (const robot::LoadError& error) {
+    throw CommandError(static_cast<robot::ExitCode>(error.exit_code()), error.what(), true);
   } catch (const robot::WebError& error) {
-    throw CommandError(ExitCode::kUnavailable, error.what());
+    throw CommandError(robot::ExitCode::kUnavailable, error.what());
   }
-  return *pending_interruption();
+  return *robot::pending_interruption();
 }
 
 }  // namespace sensotwin::twin

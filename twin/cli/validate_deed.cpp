@@ -7,10 +7,10 @@
 #include <sstream>
 #include <thread>
 
+#include "robot/output/output_file.hpp"
+#include "robot/output/signals.hpp"
 #include "twin/cli/deed_support.hpp"
 #include "twin/cli/deeds.hpp"
-#include "twin/output/output_file.hpp"
-#include "twin/output/signals.hpp"
 #include "twin/run/mapping_run.hpp"
 #include "twin/validate/junit.hpp"
 #include "twin/validate/report_pictures.hpp"
@@ -26,30 +26,30 @@ constexpr const char* kSeedsFile = "seeds.csv";
 constexpr double kSavePeriod_s = 5.0;
 
 bool may_go_on() {
-  return !pending_interruption();
+  return !robot::pending_interruption();
 }
 
 void remove_or_throw(const fs::path& path) {
   std::error_code error;
   fs::remove_all(path, error);
   if (error) {
-    throw CommandError(ExitCode::kCannotCreate,
+    throw CommandError(robot::ExitCode::kCannotCreate,
                        fmt::format("{}: cannot be replaced: {}", path.string(), error.message()));
   }
 }
 
 /// The folder as the options want it: new, emptied of an earlier validation, or as it is.
-RunFolder open_folder(const fs::path& path, const ValidateOptions& options) {
+robot::RunFolder open_folder(const fs::path& path, const ValidateOptions& options) {
   const bool earlier = fs::exists(path / kSeedsFile);
   if (earlier && !options.resume && !options.force) {
     throw CommandError(
-        ExitCode::kCannotCreate,
+        robot::ExitCode::kCannotCreate,
         fmt::format("{}: holds an earlier validation; --resume goes on with it, --force begins anew",
                     path.string()));
   }
   // A leftover .scratch of a killed validation is no reason to refuse the folder.
   const bool ours = earlier || (options.resume && fs::exists(path / ".scratch"));
-  RunFolder folder(path, ours || options.force ? Existing::kReplace : Existing::kRefuse);
+  robot::RunFolder folder(path, ours || options.force ? robot::Existing::kReplace : robot::Existing::kRefuse);
   if (earlier) {
     // An old verdict, its charts and its worst seeds never lie beside new data.
     for (const char* stale : {"report.json", "distributions", "worst"}) {
@@ -72,13 +72,13 @@ SeedTable seeds_in(const fs::path& file, const Origin& origin) {
   try {
     return seed_table_from(text.str(), origin, file.string());
   } catch (const SeedTableError& error) {
-    throw CommandError(ExitCode::kInvalidData, fmt::format("{}; --force begins anew", error.what()));
+    throw CommandError(robot::ExitCode::kInvalidData, fmt::format("{}; --force begins anew", error.what()));
   }
 }
 
 /// Where a validation goes when nobody said where: a folder of its own, also for the second one of a second.
 fs::path new_folder(const std::string& scene, const std::string& utc) {
-  const fs::path wanted = default_validation_folder(scene, utc);
+  const fs::path wanted = robot::default_validation_folder(scene, utc);
   fs::path path = wanted;
   for (int i = 2; fs::exists(path); ++i) {
     path = wanted.string() + fmt::format("-{}", i);
@@ -87,8 +87,8 @@ fs::path new_folder(const std::string& scene, const std::string& utc) {
 }
 
 /// Runs what is missing, showing how far it is and saving now and then. \returns whether all is there
-bool run_missing(const Scene& scene, const ValidateOptions& options, Context& context, RunFolder& folder,
-                 const Origin& origin, SeedTable& table) {
+bool run_missing(const Scene& scene, const ValidateOptions& options, Context& context,
+                 robot::RunFolder& folder, const Origin& origin, SeedTable& table) {
   const bool loud = context.verbosity != Verbosity::kQuiet;
   Progress progress(context.talk, context.progress, scene.name, "seeds");
   const double begun = context.wall_s();
@@ -158,22 +158,23 @@ Validation validation_of(const Scene& scene, const ValidateOptions& options, con
 /// Names that `expect:` may not use are found before the runs, and so is a JUnit file that cannot be written.
 void check_before(const Scene& scene, const ValidateOptions& options, const Context& context) {
   if (const auto complaint = complain_about(limits_of(scene))) {
-    throw CommandError(ExitCode::kInvalidData, fmt::format("{}: {}", scene.file, *complaint));
+    throw CommandError(robot::ExitCode::kInvalidData, fmt::format("{}: {}", scene.file, *complaint));
   }
   if (scene.expect.empty()) {
     context.warn(fmt::format("{}: nothing is expected (expect:), so nothing can be missed", scene.file));
   }
   if (options.junit) {
     // Replaced without being asked, as by every other program that writes JUnit XML.
-    const OutputFile writable(*options.junit);
+    const robot::OutputFile writable(*options.junit);
   }
 }
 
 }  // namespace
 
-ExitCode validate_deed(const ValidateOptions& options, Context& context) {
+robot::ExitCode validate_deed(const ValidateOptions& options, Context& context) {
   if (options.force && options.resume) {
-    throw CommandError(ExitCode::kWrongCommandLine, "--force begins anew, --resume goes on: one of them");
+    throw CommandError(robot::ExitCode::kWrongCommandLine,
+                       "--force begins anew, --resume goes on: one of them");
   }
   const Scene scene = scene_of(options.choice);
   check_before(scene, options, context);
@@ -184,7 +185,7 @@ ExitCode validate_deed(const ValidateOptions& options, Context& context) {
   if (options.resume && fs::exists(path / kSeedsFile)) {
     table = seeds_in(path / kSeedsFile, origin);
   }
-  RunFolder folder = open_folder(path, options);
+  robot::RunFolder folder = open_folder(path, options);
   const bool all = run_missing(scene, options, context, folder, origin, table);
   const Validation validation = validation_of(scene, options, table, origin);
   folder.write("report.json", to_json(validation));
@@ -201,9 +202,9 @@ ExitCode validate_deed(const ValidateOptions& options, Context& context) {
   context.say(fmt::format("report in {}", path.string()));
   if (!all || !drawn) {
     context.say("interrupted; --resume with the same --out goes on");
-    return ExitCode::kTryAgain;
+    return robot::ExitCode::kTryAgain;
   }
-  return accepted(validation.judged) ? ExitCode::kDone : ExitCode::kNotAccepted;
+  return accepted(validation.judged) ? robot::ExitCode::kDone : robot::ExitCode::kNotAccepted;
 }
 
 }  // namespace sensotwin::twin

@@ -7,7 +7,7 @@
 #include <string_view>
 #include <utility>
 
-#include "twin/output/text_format.hpp"
+#include "robot/output/text_format.hpp"
 
 namespace sensotwin::twin {
 namespace {
@@ -22,7 +22,7 @@ char* put_whole(char* to, double value) {
 
 }  // namespace
 
-TagLogWriter::TagLogWriter(OutputFile file) : file_(std::move(file)) {
+TagLogWriter::TagLogWriter(robot::OutputFile file) : file_(std::move(file)) {
   file_.append("timestamp,reader,antenna,rssi,epc,phase_angle,channel_index,doppler_frequency\n");
 }
 
@@ -30,7 +30,7 @@ void TagLogWriter::add(const TagLogRow& row) {
   constexpr double kUnits = 4096.0;
   constexpr std::string_view kDigits = "0123456789abcdef";
   char* const begin = file_.room(192);
-  char* to = put_fixed<6>(begin, row.time_s);
+  char* to = robot::put_fixed<6>(begin, row.time_s);
   to = put_text(to, ",twin,");
   to = std::to_chars(to, to + 6, row.antenna).ptr;
   *to++ = ',';

@@ -4,7 +4,7 @@
 #include <cstdint>
 
 #include "robot/base/epc.hpp"
-#include "twin/output/output_file.hpp"
+#include "robot/output/output_file.hpp"
 
 namespace sensotwin::twin {
 
@@ -30,7 +30,7 @@ struct TagLogRow {
 class TagLogWriter {
  public:
   /// \param file not yet written to
-  explicit TagLogWriter(OutputFile file);
+  explicit TagLogWriter(robot::OutputFile file);
 
   /// \throws OutputError
   void add(const TagLogRow& row);
@@ -38,7 +38,7 @@ class TagLogWriter {
   void finish() { file_.finish(); }
 
  private:
-  OutputFile file_;
+  robot::OutputFile file_;
 };
 
 }  // namespace sensotwin::twin

@@ -4,7 +4,7 @@
 #include <cassert>
 #include <utility>
 
-#include "twin/output/text_format.hpp"
+#include "robot/output/text_format.hpp"
 
 namespace sensotwin::twin {
 namespace {
@@ -17,7 +17,7 @@ constexpr std::string_view kHeader =
 constexpr std::size_t kRowSizeMax = 12 * 20 + 1 + 16 + 14;
 
 char* put_cell(char* to, double value) {
-  to = put_fixed<5>(to, value);
+  to = robot::put_fixed<5>(to, value);
   *to++ = ',';
   return to;
 }
@@ -30,7 +30,7 @@ char* put_pose(char* to, const robot::Pose2& pose) {
 
 }  // namespace
 
-TraceWriter::TraceWriter(OutputFile file, int every) : file_(std::move(file)), every_(every) {
+TraceWriter::TraceWriter(robot::OutputFile file, int every) : file_(std::move(file)), every_(every) {
   assert(every >= 1);
   file_.append(kHeader);
 }
@@ -42,7 +42,7 @@ void TraceWriter::add(const TraceRow& row) {
   }
   until_next_ = every_ - 1;
   char* const begin = file_.room(kRowSizeMax);
-  char* to = put_fixed<3>(begin, robot::to_s(row.now));
+  char* to = robot::put_fixed<3>(begin, robot::to_s(row.now));
   *to++ = ',';
   to = put_pose(to, row.X_WR);
   to = put_pose(to, row.X_OR_odometry);
@@ -58,7 +58,7 @@ void TraceWriter::add(const TraceRow& row) {
   *to++ = static_cast<char>('0' + (row.bump_right ? 1 : 0) + (row.bump_left ? 2 : 0));
   *to++ = ',';
   if (row.tag) {
-    to = put_uid(to, *row.tag);
+    to = robot::put_uid(to, *row.tag);
   }
   *to++ = '\n';
   file_.commit(static_cast<std::size_t>(to - begin));

@@ -6,7 +6,7 @@
 
 #include "robot/base/geometry.hpp"
 #include "robot/base/time.hpp"
-#include "twin/output/output_file.hpp"
+#include "robot/output/output_file.hpp"
 
 namespace sensotwin::twin {
 
@@ -31,7 +31,7 @@ struct TraceRow {
 class TraceWriter {
  public:
   /// \param file   not yet written to  \param every  write each n-th row, n >= 1
-  TraceWriter(OutputFile file, int every);
+  TraceWriter(robot::OutputFile file, int every);
 
   /// About 0.2 microseconds for a written row. \throws OutputError
   void add(const TraceRow& row);
@@ -39,7 +39,7 @@ class TraceWriter {
   void finish() { file_.finish(); }
 
  private:
-  OutputFile file_;
+  robot::OutputFile file_;
   int every_;
   int until_next_{0};
 };

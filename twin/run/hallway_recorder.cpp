@@ -58,7 +58,8 @@ int differences(const robot::HallwayMap& drawn, const robot::HallwayMap& found) 
   return count;
 }
 
-HallwayRecorder::HallwayRecorder(const Scene& scene, RunFolder& folder, int trace_every, bool keep_points)
+HallwayRecorder::HallwayRecorder(const Scene& scene, robot::RunFolder& folder, int trace_every,
+                                 bool keep_points)
     : scene_(scene),
       trace_(folder.stream("trace.csv"), trace_every),
       events_(folder.stream("events.jsonl")),

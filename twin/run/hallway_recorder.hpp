@@ -6,8 +6,8 @@
 #include <vector>
 
 #include "render/views.hpp"
-#include "twin/output/event_log.hpp"
-#include "twin/output/run_folder.hpp"
+#include "robot/output/event_log.hpp"
+#include "robot/output/run_folder.hpp"
 #include "twin/output/summary.hpp"
 #include "twin/output/trace_writer.hpp"
 #include "twin/run/hallway_twin.hpp"
@@ -20,7 +20,7 @@ namespace sensotwin::twin {
 class HallwayRecorder {
  public:
   /// \throws OutputError
-  HallwayRecorder(const Scene& scene, RunFolder& folder, int trace_every, bool keep_points);
+  HallwayRecorder(const Scene& scene, robot::RunFolder& folder, int trace_every, bool keep_points);
 
   /// After each tick. \throws OutputError
   void record(HallwayTwin& twin);
@@ -39,7 +39,7 @@ class HallwayRecorder {
 
   const Scene& scene_;
   TraceWriter trace_;
-  EventLog events_;
+  robot::EventLog events_;
   bool keep_points_;
   int until_point_{0};
   std::vector<render::TimedPoint> driven_;

@@ -5,7 +5,7 @@
 
 #include "render/phase_pictures.hpp"
 #include "render/png_writer.hpp"
-#include "twin/output/output_error.hpp"
+#include "robot/output/output_error.hpp"
 #include "twin/run/hallway_recorder.hpp"
 #include "twin/run/hallway_twin.hpp"
 #include "twin/run/mission_loop.hpp"
@@ -53,23 +53,23 @@ render::PhaseRunView view_of(const Scene& scene, const HallwayTwin& twin, const 
   return view;
 }
 
-void draw(const render::PhaseRunView& view, RunFolder& folder) {
+void draw(const render::PhaseRunView& view, robot::RunFolder& folder) {
   const auto picture = render::draw_phase_plan(view);
   if (!picture) {
-    throw OutputError(ExitCode::kUnavailable, "plan.png: " + picture.error().message);
+    throw robot::OutputError(robot::ExitCode::kUnavailable, "plan.png: " + picture.error().message);
   }
   render::PngText text;
   text.comment = render::provenance(view.scene, view.seed, "cairo");
   const auto bytes = render::encode_png(picture->image, text);
   if (!bytes) {
-    throw OutputError(ExitCode::kUnavailable, "plan.png: " + bytes.error().message);
+    throw robot::OutputError(robot::ExitCode::kUnavailable, "plan.png: " + bytes.error().message);
   }
   folder.write("plan.png", {reinterpret_cast<const char*>(bytes->data()), bytes->size()});
 }
 
 }  // namespace
 
-Summary run_hallway(const Scene& scene, RunFolder& folder, const SceneRunOptions& options) {
+Summary run_hallway(const Scene& scene, robot::RunFolder& folder, const SceneRunOptions& options) {
   const double begun_s = wall_s(options);
   TwinJournal journal(options.journal, scene);
   HallwayTwin twin(scene, journal.on_hallway_wires());

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "twin/output/run_folder.hpp"
+#include "robot/output/run_folder.hpp"
 #include "twin/output/summary.hpp"
 #include "twin/run/run_options.hpp"
 #include "twin/scene/scene.hpp"
@@ -12,6 +12,6 @@ namespace sensotwin::twin {
 /// folder: summary.json, trace.csv, events.jsonl, timing.json, of a survey hallways.yaml, and with pictures
 /// plan.png. One thread. \pre scene.mission.hallway \returns what summary.json says \throws OutputError when
 /// the folder cannot be written; files complete so far stay
-Summary run_hallway(const Scene& scene, RunFolder& folder, const SceneRunOptions& options);
+Summary run_hallway(const Scene& scene, robot::RunFolder& folder, const SceneRunOptions& options);
 
 }  // namespace sensotwin::twin

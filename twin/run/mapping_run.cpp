@@ -62,7 +62,7 @@ MapResult map_result(const Scene& scene, const MappingTwin& twin, const MapVerdi
 
 }  // namespace
 
-Summary run_mapping(const Scene& scene, RunFolder& folder, const SceneRunOptions& options) {
+Summary run_mapping(const Scene& scene, robot::RunFolder& folder, const SceneRunOptions& options) {
   const double begun_s = wall_s(options);
   TwinJournal journal(options.journal, scene);
   MappingTwin twin(scene, journal.on_mapping_wires());

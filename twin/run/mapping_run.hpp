@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "twin/output/run_folder.hpp"
+#include "robot/output/run_folder.hpp"
 #include "twin/output/summary.hpp"
 #include "twin/run/run_options.hpp"
 #include "twin/scene/scene.hpp"
@@ -13,6 +13,6 @@ namespace sensotwin::twin {
 /// oblique.png, progress.png, recovered.png, tags_over_time.png and snapshots/. One thread. \pre
 /// scene.mission.map \returns what summary.json says \throws OutputError when the folder cannot be written;
 /// files complete so far stay
-Summary run_mapping(const Scene& scene, RunFolder& folder, const SceneRunOptions& options);
+Summary run_mapping(const Scene& scene, robot::RunFolder& folder, const SceneRunOptions& options);
 
 }  // namespace sensotwin::twin

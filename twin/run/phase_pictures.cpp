@@ -12,8 +12,8 @@
 #include "render/phase_pictures.hpp"
 #include "render/png_writer.hpp"
 #include "render/scene_picture.hpp"
+#include "robot/output/output_error.hpp"
 #include "robot/phase/control_surface.hpp"
-#include "twin/output/output_error.hpp"
 #include "twin/run/phase_config.hpp"
 #include "twin/run/scene_views.hpp"
 
@@ -23,8 +23,8 @@ namespace {
 template <class T>
 T drawn(render::Rendered<T> result, std::string_view name) {
   if (!result) {
-    throw OutputError(
-        ExitCode::kCannotCreate,
+    throw robot::OutputError(
+        robot::ExitCode::kCannotCreate,
         fmt::format("{}: not drawn: {}; --no-pictures runs without pictures", name, result.error().message));
   }
   return std::move(*result);
@@ -69,7 +69,7 @@ render::FuzzyControllerView controller_view(const Scene& scene, const robot::Fuz
 class PhasePainter {
  public:
   PhasePainter(const Scene& scene, const PhaseTwin& twin, const PhaseRecorder& recorder,
-               const PathResult& result, RunFolder& folder, const std::function<bool()>& may_go_on)
+               const PathResult& result, robot::RunFolder& folder, const std::function<bool()>& may_go_on)
       : scene_(scene),
         twin_(twin),
         recorder_(recorder),
@@ -169,7 +169,7 @@ class PhasePainter {
   const PhaseTwin& twin_;
   const PhaseRecorder& recorder_;
   const PathResult& result_;
-  RunFolder& folder_;
+  robot::RunFolder& folder_;
   const std::function<bool()>& may_go_on_;
   std::string renderer_{"cairo"};
 };
@@ -177,7 +177,8 @@ class PhasePainter {
 }  // namespace
 
 bool draw_phase_run(const Scene& scene, const PhaseTwin& twin, const PhaseRecorder& recorder,
-                    const PathResult& result, RunFolder& folder, const std::function<bool()>& may_go_on) {
+                    const PathResult& result, robot::RunFolder& folder,
+                    const std::function<bool()>& may_go_on) {
   return PhasePainter(scene, twin, recorder, result, folder, may_go_on).draw_all();
 }
 

@@ -3,7 +3,7 @@
 
 #include <functional>
 
-#include "twin/output/run_folder.hpp"
+#include "robot/output/run_folder.hpp"
 #include "twin/output/summary.hpp"
 #include "twin/run/phase_recorder.hpp"
 #include "twin/run/phase_twin.hpp"
@@ -17,7 +17,7 @@ namespace sensotwin::twin {
 /// \param may_go_on  asked between pictures  \returns false when it said no: those drawn so far stay
 /// \throws OutputError; a missing renderer is one, with its remedy
 [[nodiscard]] bool draw_phase_run(const Scene& scene, const PhaseTwin& twin, const PhaseRecorder& recorder,
-                                  const PathResult& result, RunFolder& folder,
+                                  const PathResult& result, robot::RunFolder& folder,
                                   const std::function<bool()>& may_go_on);
 
 }  // namespace sensotwin::twin

@@ -22,12 +22,12 @@ double rms(double sum_m2, long count) {
 }
 
 std::optional<TagLogWriter> tag_log_at(const std::optional<std::filesystem::path>& file) {
-  return file ? std::optional<TagLogWriter>{std::in_place, OutputFile{*file}} : std::nullopt;
+  return file ? std::optional<TagLogWriter>{std::in_place, robot::OutputFile{*file}} : std::nullopt;
 }
 
 }  // namespace
 
-PhaseRecorder::PhaseRecorder(const Scene& scene, RunFolder& folder, int trace_every, bool keep_points,
+PhaseRecorder::PhaseRecorder(const Scene& scene, robot::RunFolder& folder, int trace_every, bool keep_points,
                              const std::optional<std::filesystem::path>& tag_log)
     : scene_(scene),
       path_(scene),

@@ -9,8 +9,8 @@
 #include <vector>
 
 #include "render/phase_views.hpp"
-#include "twin/output/event_log.hpp"
-#include "twin/output/run_folder.hpp"
+#include "robot/output/event_log.hpp"
+#include "robot/output/run_folder.hpp"
 #include "twin/output/summary.hpp"
 #include "twin/output/tag_log.hpp"
 #include "twin/output/trace_writer.hpp"
@@ -25,7 +25,7 @@ namespace sensotwin::twin {
 class PhaseRecorder {
  public:
   /// \param keep_points  false: no pictures will be wanted  \throws OutputError
-  PhaseRecorder(const Scene& scene, RunFolder& folder, int trace_every, bool keep_points,
+  PhaseRecorder(const Scene& scene, robot::RunFolder& folder, int trace_every, bool keep_points,
                 const std::optional<std::filesystem::path>& tag_log);
 
   /// After each tick. \throws OutputError
@@ -56,7 +56,7 @@ class PhaseRecorder {
   IdealPath path_;
   std::vector<std::size_t> destinations_;
   TraceWriter trace_;
-  EventLog events_;
+  robot::EventLog events_;
   std::optional<TagLogWriter> tag_log_;
   PhaseNoise noise_;
   bool keep_points_;

@@ -12,7 +12,7 @@
 #include "twin/run/twin_tap.hpp"
 
 namespace sensotwin::twin {
-Summary run_phase(const Scene& scene, RunFolder& folder, const SceneRunOptions& options) {
+Summary run_phase(const Scene& scene, robot::RunFolder& folder, const SceneRunOptions& options) {
   const double begun_s = wall_s(options);
   TwinJournal journal(options.journal, scene);
   PhaseTwin twin(scene, journal.on_phase_wires());

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "twin/output/run_folder.hpp"
+#include "robot/output/run_folder.hpp"
 #include "twin/output/summary.hpp"
 #include "twin/run/run_options.hpp"
 #include "twin/scene/scene.hpp"
@@ -13,6 +13,6 @@ namespace sensotwin::twin {
 /// those of phase_pictures.hpp. One thread. \pre scene.mission.phase
 /// \returns what summary.json says
 /// \throws OutputError when the folder cannot be written; files complete so far stay
-Summary run_phase(const Scene& scene, RunFolder& folder, const SceneRunOptions& options);
+Summary run_phase(const Scene& scene, robot::RunFolder& folder, const SceneRunOptions& options);
 
 }  // namespace sensotwin::twin

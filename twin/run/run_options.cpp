@@ -9,7 +9,7 @@ double wall_s(const SceneRunOptions& options) {
   return options.wall_s ? options.wall_s() : 0.0;
 }
 
-void write_timing(RunFolder& folder, Timing parts, double sim_s, double begun_s, double looped_s,
+void write_timing(robot::RunFolder& folder, Timing parts, double sim_s, double begun_s, double looped_s,
                   const SceneRunOptions& options) {
   if (!options.wall_s) {
     return;

@@ -7,8 +7,8 @@
 #include <string>
 #include <vector>
 
+#include "robot/output/run_folder.hpp"
 #include "robot/telemetry/telemetry_hub.hpp"
-#include "twin/output/run_folder.hpp"
 #include "twin/output/summary.hpp"
 #include "twin/scene/scene.hpp"
 
@@ -46,7 +46,7 @@ struct SceneRunOptions {
 [[nodiscard]] double wall_s(const SceneRunOptions& options);
 /// timing.json, when there is a clock: the loop's parts, from `begun_s` to `looped_s`, and what came after.
 /// \throws OutputError
-void write_timing(RunFolder& folder, Timing parts, double sim_s, double begun_s, double looped_s,
+void write_timing(robot::RunFolder& folder, Timing parts, double sim_s, double begun_s, double looped_s,
                   const SceneRunOptions& options);
 /// What the scene expects, as the judge wants it.
 [[nodiscard]] std::vector<FigureLimits> limits_of(const Scene& scene);

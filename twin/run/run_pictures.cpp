@@ -9,7 +9,7 @@
 
 #include "render/mapping_pictures.hpp"
 #include "render/png_writer.hpp"
-#include "twin/output/output_error.hpp"
+#include "robot/output/output_error.hpp"
 #include "twin/run/recovered_map.hpp"
 #include "twin/run/scene_views.hpp"
 
@@ -26,8 +26,8 @@ constexpr render::PictureOptions kSnapshot{.width_px = 1000};
 template <class T>
 T drawn(render::Rendered<T> result, std::string_view name) {
   if (!result) {
-    throw OutputError(
-        ExitCode::kCannotCreate,
+    throw robot::OutputError(
+        robot::ExitCode::kCannotCreate,
         fmt::format("{}: not drawn: {}; --no-pictures runs without pictures", name, result.error().message));
   }
   return std::move(*result);
@@ -38,7 +38,7 @@ class RunPainter {
  public:
   RunPainter(const Scene& scene, const MappingTwin& twin, const RunRecorder& recorder,
              const MapVerdict& verdict, const std::optional<MapPlacement>& placement, const Summary& summary,
-             RunFolder& folder, const std::function<bool()>& may_go_on)
+             robot::RunFolder& folder, const std::function<bool()>& may_go_on)
       : scene_(scene),
         twin_(twin),
         recorder_(recorder),
@@ -231,7 +231,7 @@ class RunPainter {
   const MapVerdict& verdict_;
   const std::optional<MapPlacement>& placement_;
   const Summary& summary_;
-  RunFolder& folder_;
+  robot::RunFolder& folder_;
   const std::function<bool()>& may_go_on_;
   std::unique_ptr<render::OffscreenContext> context_;
   render::SceneView base_;
@@ -241,7 +241,7 @@ class RunPainter {
 
 bool draw_run(const Scene& scene, const MappingTwin& twin, const RunRecorder& recorder,
               const MapVerdict& verdict, const std::optional<MapPlacement>& placement, const Summary& summary,
-              RunFolder& folder, const std::function<bool()>& may_go_on) {
+              robot::RunFolder& folder, const std::function<bool()>& may_go_on) {
   return RunPainter(scene, twin, recorder, verdict, placement, summary, folder, may_go_on).draw_all();
 }
 

@@ -6,7 +6,7 @@
 
 #include "render/offscreen_context.hpp"
 #include "render/scene_picture.hpp"
-#include "twin/output/run_folder.hpp"
+#include "robot/output/run_folder.hpp"
 #include "twin/output/summary.hpp"
 #include "twin/run/map_verdict.hpp"
 #include "twin/run/mapping_twin.hpp"
@@ -19,7 +19,7 @@ namespace sensotwin::twin {
 /// \throws OutputError; a missing renderer is one, with its remedy
 [[nodiscard]] bool draw_run(const Scene& scene, const MappingTwin& twin, const RunRecorder& recorder,
                             const MapVerdict& verdict, const std::optional<MapPlacement>& placement,
-                            const Summary& summary, RunFolder& folder,
+                            const Summary& summary, robot::RunFolder& folder,
                             const std::function<bool()>& may_go_on);
 
 }  // namespace sensotwin::twin

@@ -12,7 +12,7 @@ constexpr int kPointEvery = 7;
 
 }  // namespace
 
-RunRecorder::RunRecorder(RunFolder& folder, int trace_every)
+RunRecorder::RunRecorder(robot::RunFolder& folder, int trace_every)
     : trace_(folder.stream("trace.csv"), trace_every),
       events_(folder.stream("events.jsonl")),
       point_every_(kPointEvery) {}

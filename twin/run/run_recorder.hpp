@@ -7,8 +7,8 @@
 
 #include "render/views.hpp"
 #include "robot/mapping/tile_map.hpp"
-#include "twin/output/event_log.hpp"
-#include "twin/output/run_folder.hpp"
+#include "robot/output/event_log.hpp"
+#include "robot/output/run_folder.hpp"
 #include "twin/output/trace_writer.hpp"
 #include "twin/run/mapping_twin.hpp"
 
@@ -25,7 +25,7 @@ struct FoundTile {
 class RunRecorder {
  public:
   /// \throws OutputError
-  RunRecorder(RunFolder& folder, int trace_every);
+  RunRecorder(robot::RunFolder& folder, int trace_every);
 
   /// After each tick. \throws OutputError
   void record(MappingTwin& twin);
@@ -45,7 +45,7 @@ class RunRecorder {
   void record_row(MappingTwin& twin);
 
   TraceWriter trace_;
-  EventLog events_;
+  robot::EventLog events_;
   int point_every_;
   int until_point_{0};
   std::vector<render::TimedPoint> trajectory_;

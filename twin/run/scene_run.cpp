@@ -20,7 +20,7 @@ Scene placed(Scene scene) {
   return scene;
 }
 
-Summary run_scene(const Scene& unplaced, RunFolder& folder, const SceneRunOptions& options) {
+Summary run_scene(const Scene& unplaced, robot::RunFolder& folder, const SceneRunOptions& options) {
   const Scene scene = placed(unplaced);
   if (scene.mission.hallway) {
     return run_hallway(scene, folder, options);

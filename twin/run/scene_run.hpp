@@ -12,6 +12,6 @@ namespace sensotwin::twin {
 
 /// Runs a scene from its seed's start, whatever its mission: see run_mapping(), run_phase() and
 /// run_hallway().
-Summary run_scene(const Scene& scene, RunFolder& folder, const SceneRunOptions& options);
+Summary run_scene(const Scene& scene, robot::RunFolder& folder, const SceneRunOptions& options);
 
 }  // namespace sensotwin::twin

@@ -15,11 +15,11 @@ namespace {
 using robot::Pose2;
 
 // Chosen: a kilometre is more than any floor, and floats of the physics still resolve 0.1 mm there.
-constexpr Range kWhere{-1000.0, 1000.0};
-constexpr Range kHeading{-360.0, 360.0};
-constexpr Range kFraction{0.0, 1.0};
+constexpr robot::Range kWhere{-1000.0, 1000.0};
+constexpr robot::Range kHeading{-360.0, 360.0};
+constexpr robot::Range kFraction{0.0, 1.0};
 // Box2D polygons have at most 8 corners (b2_maxPolygonVertices).
-constexpr Count kPolygon{3, 8};
+constexpr robot::Count kPolygon{3, 8};
 
 constexpr std::array<std::string_view, 9> kLandmarkWords{
     "door_opening_side",     "door_fixed_side", "front_door_opening_side",
@@ -27,12 +27,12 @@ constexpr std::array<std::string_view, 9> kLandmarkWords{
     "power_outlet",          "closet_left",     "closet_right"};
 constexpr std::array<std::string_view, 1> kNoneWord{"none"};
 
-void pose_fields(FieldVisitor& v, Pose2& pose, bool heading_required = false) {
+void pose_fields(robot::FieldVisitor& v, Pose2& pose, bool heading_required = false) {
   v.point({"at_m", "x and y in the world, m", true}, pose.p_m, kWhere);
   v.angle({"heading_deg", "counter-clockwise from +x, degrees", heading_required}, pose.yaw_rad, kHeading);
 }
 
-void room_fields(FieldVisitor& v, RoomPlan& room) {
+void room_fields(robot::FieldVisitor& v, RoomPlan& room) {
   v.points({"walls_m", "corners of the outer wall, closed by itself, m", true}, room.walls_m, kWhere,
            {3, 10000});
   v.list({"partitions", "inner walls"}, room.partitions, [&](Partition& wall) {
@@ -42,7 +42,7 @@ void room_fields(FieldVisitor& v, RoomPlan& room) {
   });
 }
 
-void carpet_fields(FieldVisitor& v, CarpetPlan& carpet) {
+void carpet_fields(robot::FieldVisitor& v, CarpetPlan& carpet) {
   v.number({"tile_m", "side of a tile, m"}, carpet.tile_m, {0.1, 5.0});
   v.maybe({"origin_m", "a corner of the grid of tiles; without it, the lower left of the floor"},
           carpet.origin_m, [&](Vec2& origin) {
@@ -56,7 +56,7 @@ void carpet_fields(FieldVisitor& v, CarpetPlan& carpet) {
               region = {corners[0], corners[1]};
             }
           });
-  v.maybe({"tiles", "[column, row]: lay exactly these"}, carpet.tiles, [&](Cells& tiles) {
+  v.maybe({"tiles", "[column, row]: lay exactly these"}, carpet.tiles, [&](robot::Cells& tiles) {
     v.cells({"tiles", "[column, row] of each tile"}, tiles);
   });
   v.cells({"without", "[column, row]: leave these out"}, carpet.without);
@@ -65,10 +65,10 @@ void carpet_fields(FieldVisitor& v, CarpetPlan& carpet) {
            carpet.tag_offset_sigma_m, {0.0, 0.2});
 }
 
-void shape_fields(FieldVisitor& v, world::Furniture& piece) {
+void shape_fields(robot::FieldVisitor& v, world::Furniture& piece) {
   using Shape = world::FurnitureShape;
   const auto choose = [&piece](Shape shape) { return [&piece, shape] { piece.shape = shape; }; };
-  const std::array<FieldVisitor::Alternative, 4> shapes{{
+  const std::array<robot::FieldVisitor::Alternative, 4> shapes{{
       {"radius_m", choose(Shape::kCircle),
        [&] {
          v.number({"radius_m", "a circle: its radius, m"}, piece.radius_m, {0.005, 100.0});
@@ -92,7 +92,7 @@ void shape_fields(FieldVisitor& v, world::Furniture& piece) {
   v.one_of(static_cast<std::size_t>(piece.shape), shapes);
 }
 
-void furniture_fields(FieldVisitor& v, world::Furniture& piece) {
+void furniture_fields(robot::FieldVisitor& v, world::Furniture& piece) {
   v.text({"name", "for messages, the picture and events", true}, piece.name);
   v.point({"at_m", "its own frame in the world: x and y, m"}, piece.X_WF.p_m, kWhere);
   v.angle({"heading_deg", "its own frame in the world, degrees"}, piece.X_WF.yaw_rad, kHeading);
@@ -113,7 +113,7 @@ void furniture_fields(FieldVisitor& v, world::Furniture& piece) {
   });
 }
 
-void floor_fields(FieldVisitor& v, world::Floor& floor) {
+void floor_fields(robot::FieldVisitor& v, world::Floor& floor) {
   v.number({"friction", "of the wheels on the floor, dimensionless"}, floor.friction, {0.0, 2.0, true});
   v.number({"rolling_resistance", "drag / weight, dimensionless"}, floor.rolling_resistance, kFraction);
   v.number({"creep", "slip of a wheel at its friction limit, dimensionless"}, floor.creep, kFraction);
@@ -125,7 +125,7 @@ void floor_fields(FieldVisitor& v, world::Floor& floor) {
   v.angle({"nap_yaw_deg", "direction the pile lies in, degrees"}, floor.nap_yaw_rad, kHeading);
 }
 
-void marker_fields(FieldVisitor& v, world::WorldDescription& world) {
+void marker_fields(robot::FieldVisitor& v, world::WorldDescription& world) {
   v.list({"landmarks", "tags on the wall base (SensoBot, Table 1)"}, world.landmarks,
          [&](world::Landmark& landmark) {
            v.choice({"kind", "what the tag marks", true}, landmark.kind, kLandmarkWords);
@@ -133,7 +133,7 @@ void marker_fields(FieldVisitor& v, world::WorldDescription& world) {
          });
 }
 
-void hazard_fields(FieldVisitor& v, world::WorldDescription& world) {
+void hazard_fields(robot::FieldVisitor& v, world::WorldDescription& world) {
   v.list({"cliffs", "holes in the floor"}, world.cliffs, [&](world::Cliff& cliff) {
     v.points({"corners_m", "of a convex polygon, m", true}, cliff.corners_m, kWhere, kPolygon);
   });
@@ -157,12 +157,12 @@ void hazard_fields(FieldVisitor& v, world::WorldDescription& world) {
       });
 }
 
-void people_fields(FieldVisitor& v, world::WorldDescription& world) {
+void people_fields(robot::FieldVisitor& v, world::WorldDescription& world) {
   v.list({"people", "who walk about, and stop before the robot"}, world.people, [&](world::Person& person) {
     v.points({"path_m", "where somebody walks, or one point to stand at, m", true}, person.path_m, kWhere,
              {1, 1000});
     v.number({"start_s", "when somebody comes, s"}, person.start_s, {0.0, 1.0e7});
-    const Field leaves{"leaves_s", "when somebody is gone; else at the end of the path, s"};
+    const robot::Field leaves{"leaves_s", "when somebody is gone; else at the end of the path, s"};
     v.maybe(leaves, person.leaves_s, [&](double& s) { v.number(leaves, s, {0.0, 1.0e7}); });
     v.number({"speed_mps", "walking, m/s"}, person.speed_mps, {0.01, 3.0});
     v.number({"radius_m", "of the disc that the robot meets, m"}, person.radius_m, {0.05, 1.0});
@@ -175,9 +175,9 @@ void people_fields(FieldVisitor& v, world::WorldDescription& world) {
   });
 }
 
-void world_fields(FieldVisitor& v, Scene& scene) {
+void world_fields(robot::FieldVisitor& v, Scene& scene) {
   Layout& layout = scene.layout;
-  const std::array<FieldVisitor::Alternative, 3> places{{
+  const std::array<robot::FieldVisitor::Alternative, 3> places{{
       {"room", [&] { layout.room.emplace(); },
        [&] {
          v.section({"room", "a room drawn by its corners"}, [&] { room_fields(v, *layout.room); });
@@ -186,7 +186,7 @@ void world_fields(FieldVisitor& v, Scene& scene) {
        [&] {
          v.section({"map", "a ROS map_server map"}, [&] {
            v.text({"file", "its YAML file, relative to the scene file", true}, layout.map->file);
-           const Field hallways{"hallways", "hallway map of the building, relative to the scene file"};
+           const robot::Field hallways{"hallways", "hallway map of the building, relative to the scene file"};
            v.maybe(
                hallways, !layout.map->hallways.empty(), [] {},
                [&] { v.text(hallways, layout.map->hallways); });
@@ -225,7 +225,7 @@ void world_fields(FieldVisitor& v, Scene& scene) {
           kHeading);
 }
 
-void base_fields(FieldVisitor& v, world::RoombaDescription& base) {
+void base_fields(robot::FieldVisitor& v, world::RoombaDescription& base) {
   robot::base_fields(v, base);
   v.number({"height_m", "of the body, m"}, base.height_m, {0.02, 1.0});
   v.number({"mass_kg", "of the machine, kg"}, base.mass_kg, {0.1, 50.0});
@@ -238,7 +238,7 @@ void base_fields(FieldVisitor& v, world::RoombaDescription& base) {
   v.number({"battery_charge_mah", "at the start, mAh"}, base.battery_charge_mah, {0.0, 100000.0});
 }
 
-void reader_fields(FieldVisitor& v, world::ReaderDescription& reader) {
+void reader_fields(robot::FieldVisitor& v, world::ReaderDescription& reader) {
   v.point({"at_m", "middle of its spot, in the robot's frame, m"}, reader.at_m, {-1.0, 1.0});
   v.number({"read_radius_m", "a tag answers within this radius, m"}, reader.read_radius_m, {0.005, 1.0});
   v.number({"exchange_s", "time of one command and its answer, s"}, reader.exchange_s, {0.0, 1.0});
@@ -250,8 +250,8 @@ void reader_fields(FieldVisitor& v, world::ReaderDescription& reader) {
            reader.torn_write_probability, kFraction);
 }
 
-void sonar_fields(FieldVisitor& v, std::optional<world::SonarDescription>& sonar) {
-  const Field field{"sonar", "seven ultrasonic rangefinders on the sensor board; there in hallways"};
+void sonar_fields(robot::FieldVisitor& v, std::optional<world::SonarDescription>& sonar) {
+  const robot::Field field{"sonar", "seven ultrasonic rangefinders on the sensor board; there in hallways"};
   v.maybe(field, sonar, [&](world::SonarDescription& s) {
     v.section(field, [&] {
       v.angle({"half_angle_deg", "of the cone, degrees"}, s.half_angle_rad, {1.0, 45.0});
@@ -268,7 +268,7 @@ void sonar_fields(FieldVisitor& v, std::optional<world::SonarDescription>& sonar
   });
 }
 
-void robot_fields(FieldVisitor& v, Scene& scene) {
+void robot_fields(robot::FieldVisitor& v, Scene& scene) {
   world::RobotDescription& robot = scene.robot;
   static constexpr std::array<std::string_view, 1> kAutoWord{"auto"};
   v.section_or_word(
@@ -286,7 +286,8 @@ void robot_fields(FieldVisitor& v, Scene& scene) {
   v.section({"forward_reader", "reads the tags ahead"}, [&] { reader_fields(v, robot.forward_reader); });
   uhf_reader_fields(v, scene.world);
   sonar_fields(v, robot.sonar);
-  const Field known{"hallways", "the hallway map that it is given, where that is not the building's own"};
+  const robot::Field known{"hallways",
+                           "the hallway map that it is given, where that is not the building's own"};
   v.maybe(
       known, !scene.known_file.empty(), [] {}, [&] { v.text(known, scene.known_file); });
   v.section({"compass", "heading from the earth's field"}, [&] {
@@ -297,7 +298,7 @@ void robot_fields(FieldVisitor& v, Scene& scene) {
   });
 }
 
-void bounds_fields(FieldVisitor& v, std::optional<double>& min, std::optional<double>& max) {
+void bounds_fields(robot::FieldVisitor& v, std::optional<double>& min, std::optional<double>& max) {
   v.maybe({"min", "not less than this"}, min, [&](double& value) {
     v.number({"min", "not less than this"}, value, {});
   });
@@ -306,7 +307,7 @@ void bounds_fields(FieldVisitor& v, std::optional<double>& min, std::optional<do
   });
 }
 
-void expect_fields(FieldVisitor& v, std::vector<Expectation>& expect) {
+void expect_fields(robot::FieldVisitor& v, std::vector<Expectation>& expect) {
   v.named(
       {"expect", "figures of the summary and the bounds they must keep"}, expect.size(),
       [&](std::size_t i) { return expect[i].name; },
@@ -316,14 +317,14 @@ void expect_fields(FieldVisitor& v, std::vector<Expectation>& expect) {
       },
       [&](std::size_t i) {
         bounds_fields(v, expect[i].min, expect[i].max);
-        const Field rate{"rate", "share of the seeds of a validation that must keep min and max"};
+        const robot::Field rate{"rate", "share of the seeds of a validation that must keep min and max"};
         v.maybe(rate, expect[i].rate_min, [&](double& value) {
           v.section(rate, [&] {
             v.number({"min", "above 0, at most 1; 1 is every seed", true}, value, {0.0, 1.0, true});
           });
         });
         for (std::size_t k = 0; k < kSeedStatistics.size(); ++k) {
-          const Field field{kSeedStatistics[k].key, kSeedStatistics[k].help};
+          const robot::Field field{kSeedStatistics[k].key, kSeedStatistics[k].help};
           v.maybe(field, expect[i].statistics[k], [&](Bounds& bounds) {
             v.section(field, [&] {
               bounds_fields(v, bounds.min, bounds.max);
@@ -338,7 +339,7 @@ void expect_fields(FieldVisitor& v, std::vector<Expectation>& expect) {
 
 }  // namespace
 
-void visit_fields(FieldVisitor& v, Scene& scene) {
+void visit_fields(robot::FieldVisitor& v, Scene& scene) {
   v.whole({"version", "of this file format: 1", true}, scene.version, 1, 1);
   v.seed({"seed", "every random stream of the run forks from this", true}, scene.seed);
   v.maybe(

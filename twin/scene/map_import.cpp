@@ -9,9 +9,9 @@
 #include <string>
 #include <utility>
 
+#include "robot/config/text_file.hpp"
+#include "robot/config/yaml_tree.hpp"
 #include "twin/scene/picture_file.hpp"
-#include "twin/scene/text_file.hpp"
-#include "twin/scene/yaml_tree.hpp"
 
 namespace sensotwin::twin {
 namespace {
@@ -20,7 +20,8 @@ namespace {
 /// numbers may be written in any way that strtod reads.
 class MapYaml {
  public:
-  MapYaml(const YamlNode& root, std::vector<Problem>& problems) : root_(root), problems_(problems) {}
+  MapYaml(const robot::YamlNode& root, std::vector<robot::Problem>& problems)
+      : root_(root), problems_(problems) {}
 
   struct Bounds {
     double min;
@@ -28,23 +29,24 @@ class MapYaml {
     const char* expected;
   };
 
-  [[nodiscard]] const YamlNode* find(const std::string& key, const std::string& expected) {
-    const YamlEntry* entry = root_.find(key);
+  [[nodiscard]] const robot::YamlNode* find(const std::string& key, const std::string& expected) {
+    const robot::YamlEntry* entry = root_.find(key);
     if (entry == nullptr) {
       problems_.push_back({{root_.place.source, 1, 1}, key, "is missing", "expected " + expected});
     }
     return entry == nullptr ? nullptr : &entry->value;
   }
   double number(const std::string& key, const Bounds& bounds) {
-    const YamlNode* node = find(key, bounds.expected);
+    const robot::YamlNode* node = find(key, bounds.expected);
     return node == nullptr ? bounds.max : number_in(*node, key, bounds);
   }
-  double number_in(const YamlNode& node, const std::string& path, const Bounds& bounds) {
+  double number_in(const robot::YamlNode& node, const std::string& path, const Bounds& bounds) {
     const std::string& text =
         node.text.starts_with(".n") || node.text.starts_with(".N") ? node.text.substr(1) : node.text;
     char* end = nullptr;
     const double value = std::strtod(text.c_str(), &end);
-    const bool scalar = node.kind == YamlKind::kNumber || (node.kind == YamlKind::kText && !node.quoted);
+    const bool scalar =
+        node.kind == robot::YamlKind::kNumber || (node.kind == robot::YamlKind::kText && !node.quoted);
     const bool number = scalar && !text.empty() && *end == '\0';
     if (!number || !std::isfinite(value) || value < bounds.min || value > bounds.max) {
       problems_.push_back(
@@ -54,11 +56,11 @@ class MapYaml {
     return value;
   }
   robot::Pose2 origin() {
-    const YamlNode* node = find("origin", "[x, y, yaw] of the picture's lower left corner, m and rad");
+    const robot::YamlNode* node = find("origin", "[x, y, yaw] of the picture's lower left corner, m and rad");
     if (node == nullptr) {
       return {};
     }
-    if (node->kind != YamlKind::kList || node->items.size() != 3) {
+    if (node->kind != robot::YamlKind::kList || node->items.size() != 3) {
       problems_.push_back({node->place, "origin", "is " + node->describe(),
                            "expected [x, y, yaw] of the picture's lower left corner, m and rad"});
       return {};
@@ -71,7 +73,7 @@ class MapYaml {
             robot::wrap_angle(number_in(node->items[2], "origin[2]", yaw))};
   }
   bool negate() {
-    const YamlEntry* entry = root_.find("negate");
+    const robot::YamlEntry* entry = root_.find("negate");
     const std::string text = entry == nullptr ? "0" : entry->value.text;
     if (text != "0" && text != "1" && text != "true" && text != "false") {
       problems_.push_back({entry->value.place, "negate", "is " + entry->value.describe(), "expected 0 or 1"});
@@ -79,7 +81,7 @@ class MapYaml {
     return text == "1" || text == "true";
   }
   void mode() {
-    const YamlEntry* entry = root_.find("mode");
+    const robot::YamlEntry* entry = root_.find("mode");
     if (entry == nullptr || entry->value.text == "trinary" || entry->value.text == "scale") {
       return;
     }
@@ -88,8 +90,8 @@ class MapYaml {
   }
 
  private:
-  const YamlNode& root_;
-  std::vector<Problem>& problems_;
+  const robot::YamlNode& root_;
+  std::vector<robot::Problem>& problems_;
 };
 
 struct Thresholds {
@@ -119,23 +121,24 @@ std::vector<Cell> cells_from_bottom(const GreyPicture& picture, const Thresholds
   return cells;
 }
 
-GreyPicture read_picture(const std::filesystem::path& map_yaml, const YamlNode& image) {
+GreyPicture read_picture(const std::filesystem::path& map_yaml, const robot::YamlNode& image) {
   const std::filesystem::path file = map_yaml.parent_path() / image.text;
   try {
-    auto picture = decode_picture(read_text_file(file, "picture"));
+    auto picture = decode_picture(robot::read_text_file(file, "picture"));
     if (!picture) {
-      throw SceneError({{image.place, "image", fmt::format("{} {}", file.string(), picture.error()),
-                         "expected a whole PGM or PNG"}},
-                       kExitInvalid);
+      throw robot::LoadError({{image.place, "image", fmt::format("{} {}", file.string(), picture.error()),
+                               "expected a whole PGM or PNG"}},
+                             robot::kExitInvalid);
     }
     return std::move(*picture);
-  } catch (const SceneError& error) {
-    const Problem& first = error.problems().front();
+  } catch (const robot::LoadError& error) {
+    const robot::Problem& first = error.problems().front();
     if (first.path == "image") {
       throw;
     }
-    throw SceneError({{image.place, "image", fmt::format("{}: {}", file.string(), first.what), first.hint}},
-                     error.exit_code());
+    throw robot::LoadError(
+        {{image.place, "image", fmt::format("{}: {}", file.string(), first.what), first.hint}},
+        error.exit_code());
   }
 }
 
@@ -164,25 +167,25 @@ std::size_t OccupancyMap::count(Cell kind) const {
 
 OccupancyMap read_map(const std::filesystem::path& map_yaml) {
   const std::string source = map_yaml.string();
-  std::vector<Problem> problems;
-  const YamlNode root = parse_yaml(read_text_file(map_yaml, "map"), source, problems);
-  if (problems.empty() && root.kind != YamlKind::kSection) {
+  std::vector<robot::Problem> problems;
+  const robot::YamlNode root = robot::parse_yaml(robot::read_text_file(map_yaml, "map"), source, problems);
+  if (problems.empty() && root.kind != robot::YamlKind::kSection) {
     problems.push_back(
         {{source, 1, 1}, "", "is " + root.describe(), "expected the keys of a map_server map"});
   }
   if (!problems.empty()) {
-    throw SceneError(std::move(problems), kExitInvalid);
+    throw robot::LoadError(std::move(problems), robot::kExitInvalid);
   }
   MapYaml yaml(root, problems);
   OccupancyMap map;
-  const YamlNode* image = yaml.find("image", "the picture's file, relative to this one");
+  const robot::YamlNode* image = yaml.find("image", "the picture's file, relative to this one");
   // Chosen: from a centimetre, since the physics merges corners 5 mm apart, to cells larger than the robot.
   map.resolution_m = yaml.number("resolution", {0.01, 1.0, "metres a cell, from 0.01 to 1"});
   map.X_WO = yaml.origin();
   const Thresholds thresholds{yaml.number("occupied_thresh", {0.0, 1.0, "a number from 0 to 1"}),
                               yaml.number("free_thresh", {0.0, 1.0, "a number from 0 to 1"}), yaml.negate()};
   yaml.mode();
-  if (image != nullptr && image->kind != YamlKind::kText) {
+  if (image != nullptr && image->kind != robot::YamlKind::kText) {
     problems.push_back({image->place, "image", "is " + image->describe(), "expected the picture's file"});
   }
   if (problems.empty() && thresholds.free > thresholds.occupied) {
@@ -190,7 +193,7 @@ OccupancyMap read_map(const std::filesystem::path& map_yaml) {
                         "a cell would be free and occupied"});
   }
   if (!problems.empty()) {
-    throw SceneError(std::move(problems), kExitInvalid);
+    throw robot::LoadError(std::move(problems), robot::kExitInvalid);
   }
   const GreyPicture picture = read_picture(map_yaml, *image);
   map.columns = picture.columns;

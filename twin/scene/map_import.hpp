@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "robot/base/geometry.hpp"
-#include "twin/scene/problem.hpp"
+#include "robot/config/problem.hpp"
 #include "world/description.hpp"
 
 namespace sensotwin::twin {

@@ -56,31 +56,31 @@ std::vector<Step> parse_path(const std::string& path) {
   return steps;
 }
 
-YamlNode& child(YamlNode& section, const std::string& key, const Place& place) {
-  for (YamlEntry& entry : section.entries) {
+robot::YamlNode& child(robot::YamlNode& section, const std::string& key, const robot::Place& place) {
+  for (robot::YamlEntry& entry : section.entries) {
     if (entry.key == key) {
       return entry.value;
     }
   }
-  section.entries.push_back({key, place, {YamlKind::kNothing, place, "", false, {}, {}}});
+  section.entries.push_back({key, place, {robot::YamlKind::kNothing, place, "", false, {}, {}}});
   return section.entries.back().value;
 }
 
 }  // namespace
 
-bool assign(YamlNode& root, const std::string& path, YamlNode value, const Place& place,
-            std::vector<Problem>& problems) {
+bool assign(robot::YamlNode& root, const std::string& path, robot::YamlNode value, const robot::Place& place,
+            std::vector<robot::Problem>& problems) {
   const std::vector<Step> steps = parse_path(path);
   if (steps.empty()) {
     return false;
   }
-  YamlNode* node = &root;
+  robot::YamlNode* node = &root;
   std::string so_far;
   for (const Step& step : steps) {
-    if (node->kind == YamlKind::kNothing) {
-      *node = {YamlKind::kSection, place, "", false, {}, {}};
+    if (node->kind == robot::YamlKind::kNothing) {
+      *node = {robot::YamlKind::kSection, place, "", false, {}, {}};
     }
-    if (node->kind != YamlKind::kSection) {
+    if (node->kind != robot::YamlKind::kSection) {
       problems.push_back({place, so_far, fmt::format("is {} in the file", node->describe()),
                           fmt::format("only a section has a key '{}'", step.key)});
       return true;
@@ -88,9 +88,9 @@ bool assign(YamlNode& root, const std::string& path, YamlNode value, const Place
     so_far += (so_far.empty() ? "" : ".") + step.key;
     node = &child(*node, step.key, place);
     for (const std::size_t index : step.indices) {
-      if (node->kind != YamlKind::kList || index >= node->items.size()) {
+      if (node->kind != robot::YamlKind::kList || index >= node->items.size()) {
         problems.push_back({place, so_far, fmt::format("has no item {}", index),
-                            node->kind == YamlKind::kList
+                            node->kind == robot::YamlKind::kList
                                 ? fmt::format("it has {}, counted from 0", node->items.size())
                                 : "it is no list"});
         return true;
@@ -103,12 +103,13 @@ bool assign(YamlNode& root, const std::string& path, YamlNode value, const Place
   return true;
 }
 
-bool apply_override(YamlNode& root, const std::string& assignment, std::vector<Problem>& problems) {
-  const Place place{"--set " + assignment, 0, 0};
+bool apply_override(robot::YamlNode& root, const std::string& assignment,
+                    std::vector<robot::Problem>& problems) {
+  const robot::Place place{"--set " + assignment, 0, 0};
   const std::size_t equals = assignment.find('=');
   if (equals != std::string::npos) {
-    YamlNode value = parse_yaml(assignment.substr(equals + 1), place.source, problems);
-    set_place(value, place);
+    robot::YamlNode value = robot::parse_yaml(assignment.substr(equals + 1), place.source, problems);
+    robot::set_place(value, place);
     if (assign(root, assignment.substr(0, equals), std::move(value), place, problems)) {
       return true;
     }

@@ -3,8 +3,8 @@
 
 #include <map>
 
+#include "robot/config/nearest_name.hpp"
 #include "robot/settings/mission_checks.hpp"
-#include "twin/scene/nearest_name.hpp"
 #include "twin/scene/scene_checks.hpp"
 
 /// Ceiling tags, the radio and missions along the tags, as far as one field cannot tell.
@@ -55,7 +55,7 @@ void SceneChecks::exchanged_tags(const std::vector<std::string>& names) {
   for (std::size_t i = 0; i < exchanged.size(); ++i) {
     if (std::find(names.begin(), names.end(), exchanged[i]) == names.end()) {
       add(fmt::format("mission.phase.exchanged[{}]", i), fmt::format("there is no tag '{}'", exchanged[i]),
-          "expected the name of one of world.ceiling_tags" + did_you_mean(exchanged[i], names));
+          "expected the name of one of world.ceiling_tags" + robot::did_you_mean(exchanged[i], names));
     }
   }
 }

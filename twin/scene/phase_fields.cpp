@@ -10,10 +10,10 @@
 namespace sensotwin::twin {
 namespace {
 
-constexpr Range kWhere{-1000.0, 1000.0};
-constexpr Range kPhase{0.0, 10.0};
-constexpr Range kTime{0.0, 60.0};
-constexpr Range kDecibel{-200.0, 200.0};
+constexpr robot::Range kWhere{-1000.0, 1000.0};
+constexpr robot::Range kPhase{0.0, 10.0};
+constexpr robot::Range kTime{0.0, 60.0};
+constexpr robot::Range kDecibel{-200.0, 200.0};
 
 constexpr std::array<std::string_view, 2> kProfileWords{"paper", "impinj_r420"};
 constexpr std::array<std::string_view, 2> kPathKindWords{"bistatic", "monostatic"};
@@ -33,7 +33,7 @@ world::RadioDescription profile(std::size_t index) {
   return radio;
 }
 
-void tag_fields(FieldVisitor& v, world::CeilingTag& tag) {
+void tag_fields(robot::FieldVisitor& v, world::CeilingTag& tag) {
   v.text({"name", "for missions, pictures and events", true}, tag.name);
   v.maybe(
       {"epc", "its code, 24 hexadecimal digits; else made from its place in the list"},
@@ -52,7 +52,7 @@ void tag_fields(FieldVisitor& v, world::CeilingTag& tag) {
   v.flag({"floor_tag", "a floor tag below carries its code"}, tag.floor_tag);
 }
 
-void reader_fields(FieldVisitor& v, world::RadioDescription& radio) {
+void reader_fields(robot::FieldVisitor& v, world::RadioDescription& radio) {
   v.choice({"path", "sent from the middle of the robot, or by the antenna that receives"}, radio.path,
            kPathKindWords);
   v.numbers({"channels_hz", "hop table in the order of hopping; empty: the profile's own"}, radio.channels_hz,
@@ -79,7 +79,7 @@ void reader_fields(FieldVisitor& v, world::RadioDescription& radio) {
            radio.report_latency_s, kTime);
 }
 
-void noise_fields(FieldVisitor& v, world::RadioDescription& radio) {
+void noise_fields(robot::FieldVisitor& v, world::RadioDescription& radio) {
   v.choice({"noise_law", "what the phase noise grows with"}, radio.noise_law, kNoiseLawWords);
   v.number({"noise_floor_rad", "1 sigma, rad"}, radio.noise_floor_rad, kPhase);
   v.number({"noise_per_m_rad", "1 sigma, rad/m"}, radio.noise_per_m_rad, kPhase);
@@ -89,7 +89,7 @@ void noise_fields(FieldVisitor& v, world::RadioDescription& radio) {
   v.number({"drift_time_s", "over which it changes, s"}, radio.drift_time_s, {0.001, 1e6});
 }
 
-void air_fields(FieldVisitor& v, world::RadioDescription& radio) {
+void air_fields(robot::FieldVisitor& v, world::RadioDescription& radio) {
   v.number({"place_sigma_rad", "smooth error of each place, 1 sigma, rad"}, radio.place_sigma_rad, kPhase);
   v.number({"place_length_m", "over which it changes, m; 0: one for the room"}, radio.place_length_m,
            {0.0, 1000.0});
@@ -110,7 +110,7 @@ void air_fields(FieldVisitor& v, world::RadioDescription& radio) {
            {0.0, 1000.0});
 }
 
-void radio_fields(FieldVisitor& v, world::RadioDescription& radio) {
+void radio_fields(robot::FieldVisitor& v, world::RadioDescription& radio) {
   auto index = static_cast<std::size_t>(radio.profile == kProfileWords[1]);
   v.choice({"profile", "where the numbers below come from unless given: docs/phase.md"}, index,
            kProfileWords);
@@ -127,7 +127,7 @@ void radio_fields(FieldVisitor& v, world::RadioDescription& radio) {
   air_fields(v, radio);
 }
 
-void reader_fault_fields(FieldVisitor& v, world::ReaderFaults& faults) {
+void reader_fault_fields(robot::FieldVisitor& v, world::ReaderFaults& faults) {
   v.points({"silent_s", "[from, to]: hears nothing meanwhile, s of the run"}, faults.silent_s, {0.0, 1e6},
            {0, 1000});
   v.number({"lost_share", "of reads that never arrive"}, faults.lost_share, {0.0, 1.0});
@@ -147,21 +147,21 @@ auto there(world::WorldDescription& world) {
 
 }  // namespace
 
-void radio_world_fields(FieldVisitor& v, world::WorldDescription& world) {
-  const Field tags{"ceiling_tags", "UHF tags under the ceiling"};
+void radio_world_fields(robot::FieldVisitor& v, world::WorldDescription& world) {
+  const robot::Field tags{"ceiling_tags", "UHF tags under the ceiling"};
   v.maybe(tags, world.radio.has_value(), there(world),
           [&] { v.list(tags, world.radio->tags, [&](world::CeilingTag& tag) { tag_fields(v, tag); }); });
-  const Field radio{"radio", "UHF reader and air: a profile, and what differs from it"};
+  const robot::Field radio{"radio", "UHF reader and air: a profile, and what differs from it"};
   v.maybe(radio, world.radio.has_value(), there(world),
           [&] { v.section(radio, [&] { radio_fields(v, world.radio->radio); }); });
-  const Field radius{"floor_tag_radius_m", "a floor tag below a ceiling tag is read within this, m"};
+  const robot::Field radius{"floor_tag_radius_m", "a floor tag below a ceiling tag is read within this, m"};
   v.maybe(radius, world.radio.has_value(), there(world), [&] {
     v.number(radius, world.radio->floor_tag_radius_m, {0.001, 1.0});
   });
 }
 
-void uhf_reader_fields(FieldVisitor& v, world::WorldDescription& world) {
-  const Field reader{"uhf_reader", "reads the tags under the ceiling"};
+void uhf_reader_fields(robot::FieldVisitor& v, world::WorldDescription& world) {
+  const robot::Field reader{"uhf_reader", "reads the tags under the ceiling"};
   v.maybe(reader, world.radio.has_value(), there(world), [&] {
     v.section(reader, [&] {
       v.choice({"mount", "of antennas that are not listed: two look up, or two ahead and two behind"},

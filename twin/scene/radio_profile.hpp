@@ -4,8 +4,8 @@
 #include <filesystem>
 #include <vector>
 
-#include "twin/scene/problem.hpp"
-#include "twin/scene/yaml_tree.hpp"
+#include "robot/config/problem.hpp"
+#include "robot/config/yaml_tree.hpp"
 
 namespace sensotwin::twin {
 
@@ -13,7 +13,7 @@ namespace sensotwin::twin {
 /// scene's own keys, as if written there; keys of the scene go before it. Mistakes in the file are told at
 /// their place in it.
 /// \param folder  of the scene  \param exit_code  becomes kExitMissing when the file cannot be read
-void take_radio_profile(YamlNode& scene, const std::filesystem::path& folder, std::vector<Problem>& problems,
-                        int& exit_code);
+void take_radio_profile(robot::YamlNode& scene, const std::filesystem::path& folder,
+                        std::vector<robot::Problem>& problems, int& exit_code);
 
 }  // namespace sensotwin::twin

@@ -44,7 +44,7 @@ void SceneChecks::add(const std::string& path, std::string what, std::string hin
 }
 
 bool SceneChecks::sound(const std::string& path) const {
-  return std::none_of(problems_.begin(), problems_.end(), [&](const Problem& problem) {
+  return std::none_of(problems_.begin(), problems_.end(), [&](const robot::Problem& problem) {
     const bool below = problem.path.compare(0, path.size(), path) == 0 &&
                        (problem.path.size() == path.size() || problem.path[path.size()] == '.' ||
                         problem.path[path.size()] == '[');

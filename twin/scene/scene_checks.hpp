@@ -3,9 +3,9 @@
 
 #include <vector>
 
-#include "twin/scene/field_reader.hpp"
+#include "robot/config/field_reader.hpp"
+#include "robot/config/problem.hpp"
 #include "twin/scene/floor_plan.hpp"
-#include "twin/scene/problem.hpp"
 #include "twin/scene/scene.hpp"
 
 /// What each field alone cannot tell: whether the scene makes sense as a whole.
@@ -14,7 +14,7 @@ namespace sensotwin::twin {
 class SceneChecks {
  public:
   /// \param reader  knows the places of what was written
-  SceneChecks(const Scene& scene, const FieldReader& reader, std::vector<Problem>& problems)
+  SceneChecks(const Scene& scene, const robot::FieldReader& reader, std::vector<robot::Problem>& problems)
       : scene_(scene), reader_(reader), problems_(problems) {}
 
   /// Outer wall and partitions, before anything is built on them. \returns false when they cannot be used.
@@ -46,8 +46,8 @@ class SceneChecks {
   void start(const FloorPlan& floor);
 
   const Scene& scene_;
-  const FieldReader& reader_;
-  std::vector<Problem>& problems_;
+  const robot::FieldReader& reader_;
+  std::vector<robot::Problem>& problems_;
 };
 
 }  // namespace sensotwin::twin

@@ -7,8 +7,10 @@
 #include <cctype>
 #include <utility>
 
+#include "robot/config/field_reader.hpp"
+#include "robot/config/text_file.hpp"
+#include "robot/config/yaml_tree.hpp"
 #include "robot/settings/mission_checks.hpp"
-#include "twin/scene/field_reader.hpp"
 #include "twin/scene/fields.hpp"
 #include "twin/scene/floor_plan.hpp"
 #include "twin/scene/hallway_building.hpp"
@@ -17,9 +19,7 @@
 #include "twin/scene/phase_fields.hpp"
 #include "twin/scene/radio_profile.hpp"
 #include "twin/scene/scene_checks.hpp"
-#include "twin/scene/text_file.hpp"
 #include "twin/scene/variant.hpp"
-#include "twin/scene/yaml_tree.hpp"
 
 namespace sensotwin::twin {
 namespace {
@@ -45,8 +45,8 @@ std::string first_comment(const std::string& text) {
 
 /// The hallway map that the scene names, its tags in the world, and what hallways want by default: no carpet,
 /// rangefinders, a start at the place where the mission begins.
-void take_hallways(Scene& scene, const std::filesystem::path& folder, const FieldReader& reader,
-                   std::vector<Problem>& problems, int& exit_code) {
+void take_hallways(Scene& scene, const std::filesystem::path& folder, const robot::FieldReader& reader,
+                   std::vector<robot::Problem>& problems, int& exit_code) {
   const bool drawn = scene.layout.hallways.has_value();
   const std::string name = drawn              ? scene.layout.hallways->file
                            : scene.layout.map ? scene.layout.map->hallways
@@ -67,8 +67,8 @@ void take_hallways(Scene& scene, const std::filesystem::path& folder, const Fiel
     if (!scene.known_file.empty()) {
       scene.known = robot::read_hallway_file(folder / scene.known_file);
     }
-  } catch (const SceneError& error) {
-    exit_code = error.exit_code() == kExitMissing ? kExitMissing : exit_code;
+  } catch (const robot::LoadError& error) {
+    exit_code = error.exit_code() == robot::kExitMissing ? robot::kExitMissing : exit_code;
     problems.insert(problems.end(), error.problems().begin(), error.problems().end());
     return;
   }
@@ -102,7 +102,7 @@ void take_hallways(Scene& scene, const std::filesystem::path& folder, const Fiel
 
 /// The floor of the scene's room or map; its walls are put into the world.
 std::optional<FloorPlan> build_walls(Scene& scene, const std::filesystem::path& folder, SceneChecks& checks,
-                                     const FieldReader& reader, std::vector<Problem>& problems,
+                                     const robot::FieldReader& reader, std::vector<robot::Problem>& problems,
                                      int& exit_code) {
   if (scene.layout.room) {
     if (!checks.room()) {
@@ -132,11 +132,11 @@ std::optional<FloorPlan> build_walls(Scene& scene, const std::filesystem::path& 
       return std::nullopt;
     }
     return FloorPlan(std::move(map));
-  } catch (const SceneError& error) {
-    if (error.exit_code() == kExitMissing) {
-      exit_code = kExitMissing;
+  } catch (const robot::LoadError& error) {
+    if (error.exit_code() == robot::kExitMissing) {
+      exit_code = robot::kExitMissing;
     }
-    for (Problem problem : error.problems()) {
+    for (robot::Problem problem : error.problems()) {
       if (problem.place.line == 0) {  // of the file as a whole: the mistake is here, where it is named
         problem = {reader.place("world.map.file"), "world.map.file",
                    problem.place.source + ": " + problem.what, problem.hint};
@@ -147,8 +147,8 @@ std::optional<FloorPlan> build_walls(Scene& scene, const std::filesystem::path& 
   }
 }
 
-void furnish(Scene& scene, const FloorPlan& floor, SceneChecks& checks, const FieldReader& reader,
-             std::vector<Problem>& problems) {
+void furnish(Scene& scene, const FloorPlan& floor, SceneChecks& checks, const robot::FieldReader& reader,
+             std::vector<robot::Problem>& problems) {
   if (checks.carpet_size(floor)) {
     scene.world.carpet = lay_carpet(scene.layout.carpet, floor);
     scene.layout.carpet.origin_m = scene.world.carpet.origin_m;
@@ -166,30 +166,30 @@ void furnish(Scene& scene, const FloorPlan& floor, SceneChecks& checks, const Fi
   }
 }
 
-YamlNode parse_with_overrides(const std::string& text, const std::string& source,
-                              const SceneOverrides& overrides, std::vector<std::string>& variants,
-                              std::vector<Problem>& problems) {
-  YamlNode root = parse_yaml(text, source, problems);
-  if (problems.empty() && root.kind == YamlKind::kNothing) {
+robot::YamlNode parse_with_overrides(const std::string& text, const std::string& source,
+                                     const SceneOverrides& overrides, std::vector<std::string>& variants,
+                                     std::vector<robot::Problem>& problems) {
+  robot::YamlNode root = robot::parse_yaml(text, source, problems);
+  if (problems.empty() && root.kind == robot::YamlKind::kNothing) {
     problems.push_back({{source, 1, 1}, "", "the file holds no scene", "expected version, seed, world ..."});
-  } else if (problems.empty() && root.kind != YamlKind::kSection) {
+  } else if (problems.empty() && root.kind != robot::YamlKind::kSection) {
     problems.push_back({root.place, "", "is " + root.describe(), "expected keys: version, seed, world ..."});
   }
   if (!problems.empty()) {
-    throw SceneError(problems, kExitInvalid);
+    throw robot::LoadError(problems, robot::kExitInvalid);
   }
   variants = take_variant(root, overrides.variant, problems);
   if (!overrides.variant.empty() &&
       std::find(variants.begin(), variants.end(), overrides.variant) == variants.end()) {
-    throw SceneError(problems, kExitUsage);
+    throw robot::LoadError(problems, robot::kExitUsage);
   }
   for (const std::string& assignment : overrides.set) {
     if (!apply_override(root, assignment, problems)) {
-      throw SceneError(problems, kExitUsage);
+      throw robot::LoadError(problems, robot::kExitUsage);
     }
   }
   if (overrides.seed && !apply_override(root, fmt::format("seed={}", *overrides.seed), problems)) {
-    throw SceneError(problems, kExitUsage);
+    throw robot::LoadError(problems, robot::kExitUsage);
   }
   return root;
 }
@@ -197,21 +197,21 @@ YamlNode parse_with_overrides(const std::string& text, const std::string& source
 }  // namespace
 
 Scene read_scene(const std::filesystem::path& file, const SceneOverrides& overrides) {
-  return read_scene_text(read_text_file(file, "scene"), file, overrides);
+  return read_scene_text(robot::read_text_file(file, "scene"), file, overrides);
 }
 
 Scene read_scene_text(const std::string& text, const std::filesystem::path& file,
                       const SceneOverrides& overrides) {
-  std::vector<Problem> problems;
+  std::vector<robot::Problem> problems;
   Scene scene;
-  YamlNode root = parse_with_overrides(text, file.string(), overrides, scene.variants, problems);
-  int exit_code = kExitInvalid;
+  robot::YamlNode root = parse_with_overrides(text, file.string(), overrides, scene.variants, problems);
+  int exit_code = robot::kExitInvalid;
   take_radio_profile(root, file.parent_path(), problems, exit_code);
 
   scene.file = file.string();
   scene.variant = overrides.variant;
   scene.name = file.stem().string() + (overrides.variant.empty() ? "" : "-" + overrides.variant);
-  FieldReader reader(root, problems);
+  robot::FieldReader reader(root, problems);
   visit_fields(reader, scene);
   reader.finish();
   if (scene.title.empty()) {
@@ -229,7 +229,7 @@ Scene read_scene_text(const std::string& text, const std::filesystem::path& file
     furnish(scene, *floor, checks, reader, problems);
   }
   if (!problems.empty()) {
-    throw SceneError(std::move(problems), exit_code);
+    throw robot::LoadError(std::move(problems), exit_code);
   }
   return scene;
 }

@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "twin/scene/problem.hpp"
+#include "robot/config/problem.hpp"
 #include "twin/scene/scene.hpp"
 
 namespace sensotwin::twin {

@@ -7,15 +7,15 @@
 #include <utility>
 #include <vector>
 
+#include "robot/config/number_text.hpp"
 #include "twin/scene/fields.hpp"
-#include "twin/scene/number_text.hpp"
 
 namespace sensotwin::twin {
 namespace {
 
 using Json = nlohmann::ordered_json;
 
-Json number_schema(const Range& range) {
+Json number_schema(const robot::Range& range) {
   Json schema{{"type", "number"}};
   if (range.min > std::numeric_limits<double>::lowest()) {
     schema[range.above_min ? "exclusiveMinimum" : "minimum"] = range.min;
@@ -26,7 +26,7 @@ Json number_schema(const Range& range) {
   return schema;
 }
 
-Json list_schema(Json items, Count count) {
+Json list_schema(Json items, robot::Count count) {
   return {{"type", "array"}, {"items", std::move(items)}, {"minItems", count.min}, {"maxItems", count.max}};
 }
 
@@ -34,81 +34,85 @@ Json words_schema(std::span<const std::string_view> words) {
   return {{"enum", std::vector<std::string>(words.begin(), words.end())}};
 }
 
-class SchemaBuilder : public FieldVisitor {
+class SchemaBuilder : public robot::FieldVisitor {
  public:
   SchemaBuilder() { open(); }
   [[nodiscard]] Json root() { return close(); }
 
-  void number(const Field& field, double& value, const Range& range) override {
+  void number(const robot::Field& field, double& value, const robot::Range& range) override {
     put(field, number_schema(range), value);
   }
-  void angle(const Field& field, double& rad, const Range& range_deg) override {
-    put(field, number_schema(range_deg), degrees_for(rad));
+  void angle(const robot::Field& field, double& rad, const robot::Range& range_deg) override {
+    put(field, number_schema(range_deg), robot::degrees_for(rad));
   }
-  void integer(const Field& field, std::int64_t& value, std::int64_t min, std::int64_t max) override {
+  void integer(const robot::Field& field, std::int64_t& value, std::int64_t min, std::int64_t max) override {
     put(field, {{"type", "integer"}, {"minimum", min}, {"maximum", max}}, value);
   }
-  void seed(const Field& field, std::uint64_t& value) override {
+  void seed(const robot::Field& field, std::uint64_t& value) override {
     // As a double, 2^64: validators that hold whole numbers in 64 bits with a sign would read 2^64 - 1 as -1.
     put(field, {{"type", "integer"}, {"minimum", 0}, {"maximum", 0x1p64}}, value);
   }
-  void flag(const Field& field, bool& value) override { put(field, {{"type", "boolean"}}, value); }
-  void text(const Field& field, std::string&) override {
+  void flag(const robot::Field& field, bool& value) override { put(field, {{"type", "boolean"}}, value); }
+  void text(const robot::Field& field, std::string&) override {
     put(field, {{"type", "string"}, {"minLength", 1}}, {});
   }
-  void choice(const Field& field, std::size_t& index, std::span<const std::string_view> words) override {
+  void choice(const robot::Field& field, std::size_t& index,
+              std::span<const std::string_view> words) override {
     put(field, words_schema(words), std::string(words[index]));
   }
-  void point(const Field& field, robot::Vec2& value, const Range& range) override {
+  void point(const robot::Field& field, robot::Vec2& value, const robot::Range& range) override {
     put(field, list_schema(number_schema(range), {2, 2}), Json::array({value.x(), value.y()}));
   }
-  void points(const Field& field, std::vector<robot::Vec2>&, const Range& range, Count count) override {
+  void points(const robot::Field& field, std::vector<robot::Vec2>&, const robot::Range& range,
+              robot::Count count) override {
     put(field, list_schema(list_schema(number_schema(range), {2, 2}), count), {});
   }
-  void numbers(const Field& field, std::vector<double>& value, const Range& range, Count count) override {
+  void numbers(const robot::Field& field, std::vector<double>& value, const robot::Range& range,
+               robot::Count count) override {
     put(field, list_schema(number_schema(range), count), value.empty() ? Json{} : Json(value));
   }
-  void texts(const Field& field, std::vector<std::string>&, Count count) override {
+  void texts(const robot::Field& field, std::vector<std::string>&, robot::Count count) override {
     put(field, list_schema({{"type", "string"}, {"minLength", 1}}, count), {});
   }
-  void hex(const Field& field, std::span<std::uint8_t> value) override {
+  void hex(const robot::Field& field, std::span<std::uint8_t> value) override {
     const std::string digits = "^[0-9a-fA-F]{" + std::to_string(2 * value.size()) + "}$";
     put(field, {{"type", "string"}, {"pattern", digits}}, {});
   }
-  void cells(const Field& field, Cells&) override {
-    const Json whole{{"type", "integer"}, {"minimum", -kFarthestTile}, {"maximum", kFarthestTile}};
+  void cells(const robot::Field& field, robot::Cells&) override {
+    const Json whole{
+        {"type", "integer"}, {"minimum", -robot::kFarthestTile}, {"maximum", robot::kFarthestTile}};
     put(field, list_schema(list_schema(whole, {2, 2}), {}), {});
   }
-  void section(const Field& field, const std::function<void()>& body) override {
+  void section(const robot::Field& field, const std::function<void()>& body) override {
     open();
     body();
     put(field, close(), {});
   }
-  void section_or_word(const Field& field, std::span<const std::string_view> words,
+  void section_or_word(const robot::Field& field, std::span<const std::string_view> words,
                        std::optional<std::size_t>, const std::function<void(std::size_t)>&,
                        const std::function<void()>& body) override {
     open();
     body();
     put(field, {{"oneOf", Json::array({words_schema(words), close()})}}, {});
   }
-  void named(const Field& field, std::size_t, const std::function<std::string(std::size_t)>&,
+  void named(const robot::Field& field, std::size_t, const std::function<std::string(std::size_t)>&,
              const std::function<std::size_t(const std::string&)>& add,
              const std::function<void(std::size_t)>& body) override {
     open();
     body(add("any"));
     put(field,
         {{"type", "object"},
-         {"patternProperties", {{kNamePattern, close()}}},
+         {"patternProperties", {{robot::kNamePattern, close()}}},
          {"additionalProperties", false}},
         {});
   }
-  void maybe(const Field& field, bool, const std::function<void()>& set,
+  void maybe(const robot::Field& field, bool, const std::function<void()>& set,
              const std::function<void()>& body) override {
     set();
     body();
     object()["properties"][std::string(field.key)].erase("default");
   }
-  void list(const Field& field, std::size_t, const std::function<void(std::size_t)>& resize,
+  void list(const robot::Field& field, std::size_t, const std::function<void(std::size_t)>& resize,
             const std::function<void(std::size_t)>& body) override {
     resize(1);
     open();
@@ -159,7 +163,7 @@ class SchemaBuilder : public FieldVisitor {
     objects_.pop_back();
     return done;
   }
-  void put(const Field& field, Json schema, const Json& value) {
+  void put(const robot::Field& field, Json schema, const Json& value) {
     schema["description"] = field.help;
     if (field.required) {
       object()["required"].push_back(field.key);

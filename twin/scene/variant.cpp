@@ -7,7 +7,7 @@
 #include <algorithm>
 #include <utility>
 
-#include "twin/scene/nearest_name.hpp"
+#include "robot/config/nearest_name.hpp"
 #include "twin/scene/override.hpp"
 
 namespace sensotwin::twin {
@@ -17,22 +17,24 @@ namespace {
 constexpr const char* kFrom = "from";
 constexpr const char* kExpected = "expected paths with values, such as mission.phase.controller: own";
 
-void put(YamlNode& root, YamlEntry change, const std::string& path, std::vector<Problem>& problems) {
+void put(robot::YamlNode& root, robot::YamlEntry change, const std::string& path,
+         std::vector<robot::Problem>& problems) {
   if (!assign(root, change.key, std::move(change.value), change.key_place, problems)) {
     problems.push_back({change.key_place, path, fmt::format("'{}' is no path", change.key), kExpected});
   }
 }
 
 /// What each variant must be, whether it is chosen or not.
-void check_shape(const YamlEntry& variant, const std::string& path, std::vector<Problem>& problems) {
-  if (variant.value.kind != YamlKind::kSection) {
+void check_shape(const robot::YamlEntry& variant, const std::string& path,
+                 std::vector<robot::Problem>& problems) {
+  if (variant.value.kind != robot::YamlKind::kSection) {
     problems.push_back({variant.value.place, path, "is " + variant.value.describe(), kExpected});
     return;
   }
-  const std::vector<YamlEntry>& changes = variant.value.entries;
+  const std::vector<robot::YamlEntry>& changes = variant.value.entries;
   for (auto change = changes.begin(); change != changes.end(); ++change) {
     const bool before = std::any_of(changes.begin(), change,
-                                    [&](const YamlEntry& other) { return other.key == change->key; });
+                                    [&](const robot::YamlEntry& other) { return other.key == change->key; });
     if (before) {
       problems.push_back(
           {change->key_place, path, fmt::format("'{}' is there twice", change->key), kExpected});
@@ -45,17 +47,17 @@ void check_shape(const YamlEntry& variant, const std::string& path, std::vector<
 }
 
 /// Does what the variant at `index` says, after what the one says that it goes on from.
-void apply(YamlNode& root, const std::vector<YamlEntry>& variants, std::size_t index,
-           std::vector<Problem>& problems) {
+void apply(robot::YamlNode& root, const std::vector<robot::YamlEntry>& variants, std::size_t index,
+           std::vector<robot::Problem>& problems) {
   const std::string path = "variants." + variants[index].key;
-  for (const YamlEntry& change : variants[index].value.entries) {
+  for (const robot::YamlEntry& change : variants[index].value.entries) {
     if (change.key != kFrom) {
       continue;
     }
     // Only one above, so that none goes on from itself.
     const auto end = variants.begin() + static_cast<std::ptrdiff_t>(index);
-    const auto base = std::find_if(variants.begin(), end, [&](const YamlEntry& other) {
-      return change.value.kind == YamlKind::kText && other.key == change.value.text;
+    const auto base = std::find_if(variants.begin(), end, [&](const robot::YamlEntry& other) {
+      return change.value.kind == robot::YamlKind::kText && other.key == change.value.text;
     });
     if (base == end) {
       problems.push_back({change.value.place, path + ".from", "is " + change.value.describe(),
@@ -64,7 +66,7 @@ void apply(YamlNode& root, const std::vector<YamlEntry>& variants, std::size_t i
     }
     apply(root, variants, static_cast<std::size_t>(base - variants.begin()), problems);
   }
-  for (const YamlEntry& change : variants[index].value.entries) {
+  for (const robot::YamlEntry& change : variants[index].value.entries) {
     if (change.key != kFrom) {
       put(root, change, path, problems);
     }
@@ -73,14 +75,14 @@ void apply(YamlNode& root, const std::vector<YamlEntry>& variants, std::size_t i
 
 }  // namespace
 
-std::vector<std::string> take_variant(YamlNode& root, const std::string& chosen,
-                                      std::vector<Problem>& problems) {
+std::vector<std::string> take_variant(robot::YamlNode& root, const std::string& chosen,
+                                      std::vector<robot::Problem>& problems) {
   std::vector<std::string> names;
   const auto section = std::find_if(root.entries.begin(), root.entries.end(),
-                                    [](const YamlEntry& entry) { return entry.key == "variants"; });
-  std::vector<YamlEntry> variants;
+                                    [](const robot::YamlEntry& entry) { return entry.key == "variants"; });
+  std::vector<robot::YamlEntry> variants;
   if (section != root.entries.end()) {
-    if (section->value.kind != YamlKind::kSection) {
+    if (section->value.kind != robot::YamlKind::kSection) {
       problems.push_back({section->value.place, "variants", "is " + section->value.describe(),
                           "expected a section for each variant, by its name"});
     }
@@ -89,7 +91,7 @@ std::vector<std::string> take_variant(YamlNode& root, const std::string& chosen,
   }
   bool found = chosen.empty();
   for (std::size_t i = 0; i < variants.size(); ++i) {
-    const YamlEntry& variant = variants[i];
+    const robot::YamlEntry& variant = variants[i];
     const std::string path = "variants." + variant.key;
     if (std::find(names.begin(), names.end(), variant.key) != names.end()) {
       problems.push_back({variant.key_place, path, "is there twice", "expected a name of its own"});
@@ -105,7 +107,7 @@ std::vector<std::string> take_variant(YamlNode& root, const std::string& chosen,
   if (!found) {
     problems.push_back({{"--variant " + chosen, 0, 0},
                         "",
-                        "the scene has no such variant" + did_you_mean(chosen, names),
+                        "the scene has no such variant" + robot::did_you_mean(chosen, names),
                         names.empty() ? "it has none" : fmt::format("it has {}", fmt::join(names, ", "))});
   }
   return names;

@@ -4,8 +4,8 @@
 #include <string>
 #include <vector>
 
-#include "twin/scene/problem.hpp"
-#include "twin/scene/yaml_tree.hpp"
+#include "robot/config/problem.hpp"
+#include "robot/config/yaml_tree.hpp"
 
 namespace sensotwin::twin {
 
@@ -23,7 +23,7 @@ namespace sensotwin::twin {
 /// \param chosen  name of a variant; empty: the scene as it is
 /// \param problems  mistakes are appended with their places; values of variants that are not chosen are not
 /// looked at \returns the names of all variants, in the order of the file
-[[nodiscard]] std::vector<std::string> take_variant(YamlNode& root, const std::string& chosen,
-                                                    std::vector<Problem>& problems);
+[[nodiscard]] std::vector<std::string> take_variant(robot::YamlNode& root, const std::string& chosen,
+                                                    std::vector<robot::Problem>& problems);
 
 }  // namespace sensotwin::twin

@@ -9,7 +9,7 @@
 #include <system_error>
 #include <utility>
 
-#include "twin/output/output_error.hpp"
+#include "robot/output/output_error.hpp"
 
 namespace sensotwin::twin {
 namespace {
@@ -17,7 +17,8 @@ namespace {
 namespace fs = std::filesystem;
 
 [[noreturn]] void refuse(const fs::path& path, const std::string& reason) {
-  throw OutputError(ExitCode::kCannotCreate, "cannot serve in '" + path.string() + "': " + reason);
+  throw robot::OutputError(robot::ExitCode::kCannotCreate,
+                           "cannot serve in '" + path.string() + "': " + reason);
 }
 
 }  // namespace

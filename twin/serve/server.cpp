@@ -10,7 +10,7 @@
 #include <nlohmann/json.hpp>
 #include <utility>
 
-#include "twin/output/output_file.hpp"
+#include "robot/output/output_file.hpp"
 #include "twin/serve/devices_file.hpp"
 #include "twin/serve/pacer.hpp"
 #include "twin/serve/serve_folder.hpp"
@@ -88,7 +88,7 @@ struct Server::State {
   std::optional<Devices> announced;
   double waited_s{0.0};
   std::optional<double> waits_since_s;
-  std::optional<OutputFile> truth;
+  std::optional<robot::OutputFile> truth;
 };
 
 void Server::State::tick() {
@@ -128,7 +128,7 @@ void Server::State::announce() {
   if (!devices || devices == announced) {
     return;
   }
-  OutputFile file(folder.path() / "devices.yaml");
+  robot::OutputFile file(folder.path() / "devices.yaml");
   file.append(to_yaml(*devices, settings.scene_as_given));
   file.finish();
   announced = devices;
@@ -171,7 +171,7 @@ ServeStatus Server::run(const std::function<void(const ServeStatus&)>& show) {
     }
   }
   const ServeStatus last = state.status();
-  OutputFile file(state.folder.path() / "serve.json");
+  robot::OutputFile file(state.folder.path() / "serve.json");
   file.append(to_json(last, state.scene, state.settings));
   file.finish();
   if (state.truth) {

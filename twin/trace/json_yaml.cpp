@@ -86,26 +86,26 @@ std::string yaml_of(const Json& section) {
   return text;
 }
 
-Json json_of(const YamlNode& node) {
+Json json_of(const robot::YamlNode& node) {
   switch (node.kind) {
-    case YamlKind::kNothing:
+    case robot::YamlKind::kNothing:
       break;
-    case YamlKind::kFlag:
+    case robot::YamlKind::kFlag:
       return node.text == "true";
-    case YamlKind::kNumber:
+    case robot::YamlKind::kNumber:
       return Json::parse(node.text, nullptr, false);
-    case YamlKind::kText:
+    case robot::YamlKind::kText:
       return node.text;
-    case YamlKind::kList: {
+    case robot::YamlKind::kList: {
       Json list = Json::array();
-      for (const YamlNode& item : node.items) {
+      for (const robot::YamlNode& item : node.items) {
         list.push_back(json_of(item));
       }
       return list;
     }
-    case YamlKind::kSection: {
+    case robot::YamlKind::kSection: {
       Json section = Json::object();
-      for (const YamlEntry& each : node.entries) {
+      for (const robot::YamlEntry& each : node.entries) {
         section[each.key] = json_of(each.value);
       }
       return section;

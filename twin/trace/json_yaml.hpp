@@ -4,7 +4,7 @@
 #include <nlohmann/json.hpp>
 #include <string>
 
-#include "twin/scene/yaml_tree.hpp"
+#include "robot/config/yaml_tree.hpp"
 
 /// Between what the page says (JSON) and what our readers read (YAML).
 namespace sensotwin::twin {
@@ -21,6 +21,6 @@ inline constexpr int kJsonDepthMax = 16;
 
 /// Numbers become numbers, quoted text stays text, an empty value becomes null; of a key that is there twice,
 /// the last.
-[[nodiscard]] Json json_of(const YamlNode& node);
+[[nodiscard]] Json json_of(const robot::YamlNode& node);
 
 }  // namespace sensotwin::twin

@@ -81,14 +81,14 @@ JudgedMap judged_map(const Json& document) {
   const std::string text = hallway_text(document);
   try {
     return {robot::read_hallway_text(text, "hallway map"), {}};
-  } catch (const SceneError& error) {
+  } catch (const robot::LoadError& error) {
     return {std::nullopt, error.problems()};
   }
 }
 
-Json problems_json(const std::vector<Problem>& problems, const Json& document) {
+Json problems_json(const std::vector<robot::Problem>& problems, const Json& document) {
   Json list = Json::array();
-  for (const Problem& problem : problems) {
+  for (const robot::Problem& problem : problems) {
     const auto [place, side] = culprit(problem.path, document);
     list.push_back({{"level", "error"},
                     {"place", place},
@@ -168,9 +168,9 @@ Json scene_answer(const std::string& text, const std::filesystem::path& file, co
             {"tiles", std::move(tiles)},
             {"tile_count", carpet.tiles.size()},
             {"start", {start.p_m.x(), start.p_m.y(), robot::deg_from_rad(start.yaw_rad)}}};
-  } catch (const SceneError& error) {
-    std::vector<Problem> problems = error.problems();
-    for (Problem& problem : problems) {
+  } catch (const robot::LoadError& error) {
+    std::vector<robot::Problem> problems = error.problems();
+    for (robot::Problem& problem : problems) {
       // The hallway map's own problems name a file of ours that the user does not know.
       problem.place = {};
     }

@@ -11,10 +11,10 @@
 
 #include "render/image.hpp"
 #include "render/png_writer.hpp"
+#include "robot/config/problem.hpp"
+#include "robot/config/text_file.hpp"
+#include "robot/config/yaml_tree.hpp"
 #include "twin/scene/map_import.hpp"
-#include "twin/scene/problem.hpp"
-#include "twin/scene/text_file.hpp"
-#include "twin/scene/yaml_tree.hpp"
 #include "twin/trace/json_yaml.hpp"
 
 namespace sensotwin::twin {
@@ -25,7 +25,7 @@ constexpr const char* kExpected = "expected a floor plan: a PNG or PGM picture, 
 constexpr double kFinestCell_m = 0.02;
 
 [[noreturn]] void refuse(const std::string& name, std::string what) {
-  throw SceneError({{{name, 0, 0}, "", std::move(what), kExpected}}, kExitInvalid);
+  throw robot::LoadError({{{name, 0, 0}, "", std::move(what), kExpected}}, robot::kExitInvalid);
 }
 
 bool is_png(const std::string& bytes) {
@@ -124,16 +124,16 @@ PlanPicture plan_from_bytes(const std::string& bytes, const std::string& name) {
 PlanPicture read_plan(const std::filesystem::path& file) {
   const std::string extension = file.extension().string();
   if (extension != ".yaml" && extension != ".yml") {
-    PlanPicture plan = plan_from_bytes(read_text_file(file, "floor plan"), file.string());
+    PlanPicture plan = plan_from_bytes(robot::read_text_file(file, "floor plan"), file.string());
     plan.name = file.filename().string();
     return plan;
   }
   // Checks every key, and that the picture is whole.
   const OccupancyMap map = read_map(file);
-  std::vector<Problem> problems;
-  const Json keys = json_of(parse_yaml(read_text_file(file, "map"), file.string(), problems));
+  std::vector<robot::Problem> problems;
+  const Json keys = json_of(robot::parse_yaml(robot::read_text_file(file, "map"), file.string(), problems));
   const std::filesystem::path picture = file.parent_path() / keys.value("image", std::string{});
-  PlanPicture plan = plan_from_bytes(read_text_file(picture, "picture"), picture.string());
+  PlanPicture plan = plan_from_bytes(robot::read_text_file(picture, "picture"), picture.string());
   plan.name = file.filename().string();
   plan.resolution_m = map.resolution_m;
   plan.X_WO = map.X_WO;

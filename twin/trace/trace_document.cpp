@@ -171,8 +171,8 @@ std::string hallway_text(const Json& document) {
 }
 
 Json hallways_from(const std::string& text) {
-  std::vector<Problem> problems;
-  Json hallways = json_of(parse_yaml(text, "", problems));
+  std::vector<robot::Problem> problems;
+  Json hallways = json_of(robot::parse_yaml(text, "", problems));
   Json places = Json::array();
   if (const auto found = hallways.find("places"); found != hallways.end() && found->is_object()) {
     for (const auto& [name, place] : found->items()) {

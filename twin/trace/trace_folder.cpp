@@ -9,11 +9,11 @@
 #include <system_error>
 #include <utility>
 
-#include "twin/output/exit_codes.hpp"
-#include "twin/output/output_error.hpp"
-#include "twin/output/output_file.hpp"
-#include "twin/scene/problem.hpp"
-#include "twin/scene/text_file.hpp"
+#include "robot/config/problem.hpp"
+#include "robot/config/text_file.hpp"
+#include "robot/output/exit_codes.hpp"
+#include "robot/output/output_error.hpp"
+#include "robot/output/output_file.hpp"
 #include "twin/trace/plan_picture.hpp"
 #include "twin/trace/trace_error.hpp"
 
@@ -34,8 +34,8 @@ std::string kind_of_yaml(const std::filesystem::path& file) {
   }
   std::string text;
   try {
-    text = "\n" + read_text_file(file, "YAML");
-  } catch (const SceneError&) {
+    text = "\n" + robot::read_text_file(file, "YAML");
+  } catch (const robot::LoadError&) {
     return "";
   }
   const auto has = [&](const char* key) { return text.find(std::string("\n") + key) != std::string::npos; };
@@ -79,9 +79,9 @@ TraceFolder::TraceFolder(std::filesystem::path folder) : folder_(std::move(folde
   }
   std::filesystem::create_directories(folder_, error);
   if (!std::filesystem::is_directory(folder_)) {
-    throw OutputError(ExitCode::kCannotCreate,
-                      fmt::format("cannot create folder '{}'{}", folder_.string(),
-                                  error ? ": " + error.message() : ": a file is in its place"));
+    throw robot::OutputError(robot::ExitCode::kCannotCreate,
+                             fmt::format("cannot create folder '{}'{}", folder_.string(),
+                                         error ? ": " + error.message() : ": a file is in its place"));
   }
 }
 
@@ -129,7 +129,7 @@ std::string TraceFolder::read(const std::string& name) const {
     throw TraceError(TraceError::kTooLarge,
                      fmt::format("'{}' is larger than {} MB", name, kFileMax / 1'000'000));
   }
-  return read_text_file(path, "file");
+  return robot::read_text_file(path, "file");
 }
 
 std::optional<std::string> TraceFolder::stamp_of(const std::string& name) const {
@@ -167,10 +167,10 @@ FileStamps TraceFolder::write(const FileContents& contents) {
   }
   for (const auto& [name, content] : contents) {
     try {
-      OutputFile out(folder_ / name);
+      robot::OutputFile out(folder_ / name);
       out.append(content);
       out.finish();
-    } catch (const OutputError& error) {
+    } catch (const robot::OutputError& error) {
       throw TraceError(TraceError::kCannotWrite, error.what());
     }
     stamps[name] = stamp_of_content(content);

@@ -7,8 +7,8 @@
 #include <utility>
 #include <vector>
 
-#include "twin/scene/problem.hpp"
-#include "twin/scene/text_file.hpp"
+#include "robot/config/problem.hpp"
+#include "robot/config/text_file.hpp"
 #include "twin/trace/map_answers.hpp"
 #include "twin/trace/trace_document.hpp"
 #include "twin/trace/trace_error.hpp"
@@ -95,13 +95,13 @@ void TraceSession::open_operand(const std::filesystem::path& file) {
   name_ = stem_of(name);
   try {
     if (name.ends_with(kTracingEnding)) {
-      opened_ = opened_tracing(read_text_file(file, "tracing"), name, TraceFolder(file.parent_path()));
+      opened_ = opened_tracing(robot::read_text_file(file, "tracing"), name, TraceFolder(file.parent_path()));
       return;
     }
     if (file.extension() == ".yaml" || file.extension() == ".yml") {
-      std::vector<Problem> problems;
-      const std::string text = read_text_file(file, "map");
-      if (parse_yaml(text, file.string(), problems).find("places") != nullptr) {
+      std::vector<robot::Problem> problems;
+      const std::string text = robot::read_text_file(file, "map");
+      if (robot::parse_yaml(text, file.string(), problems).find("places") != nullptr) {
         (void)robot::read_hallway_text(text, file);
         opened_ = {{"hallways", hallways_from(text)}, {"hallways_file", name}, {"name", name_}};
         opened_["stamps"][name] = stamp_of_content(text);
@@ -109,7 +109,8 @@ void TraceSession::open_operand(const std::filesystem::path& file) {
       }
     }
   } catch (const TraceError& error) {
-    throw SceneError({{{file.string(), 0, 0}, "", error.what(), "expected a tracing"}}, kExitInvalid);
+    throw robot::LoadError({{{file.string(), 0, 0}, "", error.what(), "expected a tracing"}},
+                           robot::kExitInvalid);
   }
   const PlanPicture plan = read_plan(file);
   const std::string id = keep(plan);
@@ -126,7 +127,7 @@ TraceReply TraceSession::answer(const TraceRequest& request) {
     return dispatch(request);
   } catch (const TraceError& error) {
     return refusal(error.status(), error.what());
-  } catch (const SceneError& error) {
+  } catch (const robot::LoadError& error) {
     return refusal(TraceError::kUnusable, error.problems().front().text());
   } catch (const Json::exception& error) {
     // A value of another type than the page sends.
@@ -197,9 +198,9 @@ Json TraceSession::open(const std::string& name) {
   if (name.ends_with(kTracingEnding)) {
     return opened_tracing(text, name, folder_);
   }
-  std::vector<Problem> problems;
+  std::vector<robot::Problem> problems;
   const bool yaml = name.ends_with(".yaml") || name.ends_with(".yml");
-  const YamlNode root = yaml ? parse_yaml(text, name, problems) : YamlNode{};
+  const robot::YamlNode root = yaml ? robot::parse_yaml(text, name, problems) : robot::YamlNode{};
   if (yaml && root.find("places") != nullptr) {
     (void)robot::read_hallway_text(text, name);
     return {{"hallways", hallways_from(text)},
@@ -207,7 +208,7 @@ Json TraceSession::open(const std::string& name) {
             {"name", stem_of(name)},
             {"stamps", {{name, stamp_of_content(text)}}}};
   }
-  if (const YamlEntry* image = yaml ? root.find("image") : nullptr) {
+  if (const robot::YamlEntry* image = yaml ? root.find("image") : nullptr) {
     // A map in the folder must not fetch a picture from elsewhere.
     (void)folder_.file(image->value.text);
   }

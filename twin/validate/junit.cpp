@@ -5,7 +5,7 @@
 
 #include <algorithm>
 
-#include "twin/output/text_format.hpp"
+#include "robot/output/text_format.hpp"
 
 namespace sensotwin::twin {
 namespace {
@@ -15,7 +15,7 @@ constexpr std::size_t kCommandsMax = 50;
 
 std::string xml(std::string_view text) {
   std::string escaped;
-  append_xml_text(escaped, text);
+  robot::append_xml_text(escaped, text);
   return escaped;
 }
 

@@ -8,7 +8,7 @@
 #include <stdexcept>
 
 #include "render/png_writer.hpp"
-#include "twin/output/output_error.hpp"
+#include "robot/output/output_error.hpp"
 
 namespace sensotwin::twin {
 namespace {
@@ -67,7 +67,7 @@ std::vector<std::string> drawable(const Validation& validation) {
 template <class T>
 T drawn_or_throw(render::Rendered<T> result) {
   if (!result) {
-    throw OutputError(ExitCode::kUnavailable, result.error().message);
+    throw robot::OutputError(robot::ExitCode::kUnavailable, result.error().message);
   }
   return std::move(*result);
 }
@@ -94,7 +94,7 @@ render::DistributionChart distribution_of(const Validation& validation, const st
   return chart;
 }
 
-bool draw_distributions(const Validation& validation, RunFolder& folder,
+bool draw_distributions(const Validation& validation, robot::RunFolder& folder,
                         const std::function<bool()>& may_go_on) {
   for (const std::string& figure : drawable(validation)) {
     if (!may_go_on()) {
@@ -110,7 +110,7 @@ bool draw_distributions(const Validation& validation, RunFolder& folder,
   return true;
 }
 
-bool run_worst_again(const Scene& scene, const Validation& validation, const RunFolder& folder,
+bool run_worst_again(const Scene& scene, const Validation& validation, const robot::RunFolder& folder,
                      const std::function<bool()>& may_go_on) {
   for (const std::uint64_t seed : validation.worst) {
     const auto again = run_once(scene, seed,

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "twin/validate/run_once.hpp"
 
-#include "twin/output/run_folder.hpp"
+#include "robot/output/run_folder.hpp"
 #include "twin/run/scene_run.hpp"
 
 namespace sensotwin::twin {
@@ -10,7 +10,7 @@ namespace {
 /// Rows of trace.csv nobody reads, unless someone will look at the pictures beside it.
 constexpr int kNoTrace = 1'000'000;
 
-Summary run_mission(const Scene& scene, RunFolder& folder, const RunRequest& request) {
+Summary run_mission(const Scene& scene, robot::RunFolder& folder, const RunRequest& request) {
   SceneRunOptions options;
   options.scene_as_given = request.scene_as_given;
   options.pictures = request.pictures;
@@ -27,7 +27,7 @@ Summary run_mission(const Scene& scene, RunFolder& folder, const RunRequest& req
 std::optional<RunOutcome> run_once(const Scene& scene, std::uint64_t seed, const RunRequest& request) {
   Scene seeded = scene;
   seeded.seed = seed;
-  RunFolder folder(request.folder, Existing::kReplace);
+  robot::RunFolder folder(request.folder, robot::Existing::kReplace);
   const Summary summary = run_mission(seeded, folder, request);
   if (summary.interrupted) {
     return std::nullopt;

@@ -4,9 +4,9 @@
 
 #include <nlohmann/json.hpp>
 
+#include "robot/config/problem.hpp"
 #include "simulated_logs.hpp"
 #include "twin/calibrate/calibration_chart.hpp"
-#include "twin/scene/problem.hpp"
 
 namespace sensotwin::twin {
 namespace {
@@ -178,7 +178,7 @@ TEST(Calibration, RefusesAChannelBeyondTheBandAndStopsWhenTold) {
   Series series = series_of(plain_r420(), {0.5}, 11.0);
   CalibrationSettings settings;
   settings.band.channels = 16;
-  EXPECT_THROW((void)calibrated(series.input, settings), SceneError);
+  EXPECT_THROW((void)calibrated(series.input, settings), robot::LoadError);
   EXPECT_FALSE(calibrate(series.input, {}, [] { return false; }));
 }
 

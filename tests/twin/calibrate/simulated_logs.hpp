@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "temporary_folder.hpp"
+#include "tests/robot/output/temporary_folder.hpp"
 #include "twin/calibrate/calibration.hpp"
 #include "twin/output/tag_log.hpp"
 #include "world/radio/profiles.hpp"
@@ -16,7 +16,7 @@ namespace sensotwin::twin {
 inline TagLog simulated_log(const world::RadioWorld& world, double seconds, const std::string& name) {
   const TemporaryFolder folder;
   const auto file = folder.path() / (name + ".csv");
-  TagLogWriter writer{OutputFile{file}};
+  TagLogWriter writer{robot::OutputFile{file}};
   world::Radio radio(world, robot::RandomStream{11}.fork(name));
   for (const world::RadioRead& read : radio.step({.begin_s = 0.0, .end_s = seconds})) {
     writer.add({.time_s = read.time_s,

@@ -6,8 +6,8 @@
 #include <algorithm>
 #include <numbers>
 
+#include "robot/config/problem.hpp"
 #include "twin/calibrate/tag_links.hpp"
-#include "twin/scene/problem.hpp"
 
 namespace sensotwin::twin {
 namespace {
@@ -19,7 +19,7 @@ const std::string kHeader = "timestamp,reader,antenna,rssi,epc,phase_angle,chann
 std::string refused(const std::string& text) {
   try {
     (void)parse_sllurp_log(text, "spot.csv");
-  } catch (const SceneError& error) {
+  } catch (const robot::LoadError& error) {
     EXPECT_EQ(error.exit_code(), 65);
     return error.what();
   }

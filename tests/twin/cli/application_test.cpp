@@ -5,8 +5,8 @@
 
 #include <sstream>
 
+#include "robot/output/output_error.hpp"
 #include "twin/cli/commands.hpp"
-#include "twin/output/output_error.hpp"
 
 namespace sensotwin::twin {
 namespace {
@@ -18,7 +18,7 @@ using ::testing::Not;
 
 /// A command line, what it asked for, and what the user saw.
 struct Desk {
-  ExitCode call(const std::vector<std::string>& arguments) {
+  robot::ExitCode call(const std::vector<std::string>& arguments) {
     const std::vector<Command> commands{
         make_run_command([this](const RunOptions& o, Context& c) { return keep(run, o, c); }),
         make_show_command([this](const ShowOptions& o, Context& c) { return keep(show, o, c); }),
@@ -35,7 +35,7 @@ struct Desk {
                             .utc = [] { return std::string{"20260131T235959Z"}; }});
   }
   template <class Options>
-  ExitCode keep(Options& kept, const Options& given, Context& context) {
+  robot::ExitCode keep(Options& kept, const Options& given, Context& context) {
     kept = given;
     json = context.json;
     context.say("said");
@@ -47,7 +47,7 @@ struct Desk {
   std::ostringstream err;
   bool err_is_terminal{false};
   bool no_color{false};
-  std::function<ExitCode(Context&)> deed = [](Context&) { return ExitCode::kDone; };
+  std::function<robot::ExitCode(Context&)> deed = [](Context&) { return robot::ExitCode::kDone; };
   RunOptions run;
   ShowOptions show;
   RenderOptions render;
@@ -60,7 +60,7 @@ TEST(CommandLine, HandsSceneSeedAndChangesToTheRun) {
   Desk desk;
   EXPECT_EQ(desk.call({"run", "--set", "a.b=1", "house.yaml", "--seed", "8", "--set", "c=x=y", "--out", "o",
                        "--force", "--trace-every", "3", "--no-pictures", "--json"}),
-            ExitCode::kDone)
+            robot::ExitCode::kDone)
       << desk.err.str();
   EXPECT_EQ(desk.run.choice.scene, "house.yaml");
   EXPECT_EQ(desk.run.choice.seed, 8u);
@@ -74,7 +74,7 @@ TEST(CommandLine, HandsSceneSeedAndChangesToTheRun) {
 
 TEST(CommandLine, LeavesSeedAndFolderToTheSceneWhenNotGiven) {
   Desk desk;
-  EXPECT_EQ(desk.call({"run", "house.yaml"}), ExitCode::kDone);
+  EXPECT_EQ(desk.call({"run", "house.yaml"}), robot::ExitCode::kDone);
   EXPECT_EQ(desk.run.choice.seed, std::nullopt);
   EXPECT_EQ(desk.run.out, std::nullopt);
   EXPECT_TRUE(desk.run.pictures);
@@ -82,32 +82,33 @@ TEST(CommandLine, LeavesSeedAndFolderToTheSceneWhenNotGiven) {
 
 TEST(CommandLine, TakesSeedsOfSixtyFourBitsInDecimalAndHexadecimal) {
   Desk desk;
-  EXPECT_EQ(desk.call({"run", "s", "--seed", "18446744073709551615"}), ExitCode::kDone);
+  EXPECT_EQ(desk.call({"run", "s", "--seed", "18446744073709551615"}), robot::ExitCode::kDone);
   EXPECT_EQ(desk.run.choice.seed, 18446744073709551615u);
-  EXPECT_EQ(desk.call({"run", "s", "--seed", "0xff"}), ExitCode::kDone);
+  EXPECT_EQ(desk.call({"run", "s", "--seed", "0xff"}), robot::ExitCode::kDone);
   EXPECT_EQ(desk.run.choice.seed, 255u);
-  EXPECT_EQ(desk.call({"run", "s", "--seed", "010"}), ExitCode::kDone);
+  EXPECT_EQ(desk.call({"run", "s", "--seed", "010"}), robot::ExitCode::kDone);
   EXPECT_EQ(desk.run.choice.seed, 10u);
 }
 
 TEST(CommandLine, RefusesWhatIsNoSeed) {
   for (const char* text : {"-1", "1.5", "x", "", "0x", "18446744073709551616"}) {
     Desk desk;
-    EXPECT_EQ(desk.call({"run", "s", std::string{"--seed="} + text}), ExitCode::kWrongCommandLine) << text;
+    EXPECT_EQ(desk.call({"run", "s", std::string{"--seed="} + text}), robot::ExitCode::kWrongCommandLine)
+        << text;
   }
 }
 
 TEST(CommandLine, RefusesAChangeWithoutKeyOrValue) {
   for (const char* text : {"novalue", "=1"}) {
     Desk desk;
-    EXPECT_EQ(desk.call({"show", "s", "--set", text}), ExitCode::kWrongCommandLine);
+    EXPECT_EQ(desk.call({"show", "s", "--set", text}), robot::ExitCode::kWrongCommandLine);
     EXPECT_THAT(desk.err.str(), HasSubstr("is not of the form key.path=value"));
   }
 }
 
 TEST(CommandLine, TakesASceneThatIsCalledLikeACommand) {
   Desk desk;
-  EXPECT_EQ(desk.call({"run", "show"}), ExitCode::kDone) << desk.err.str();
+  EXPECT_EQ(desk.call({"run", "show"}), robot::ExitCode::kDone) << desk.err.str();
   EXPECT_EQ(desk.run.choice.scene, "show");
 }
 
@@ -115,26 +116,27 @@ TEST(CommandLine, HandsViewWidthAndRendererToRender) {
   Desk desk;
   EXPECT_EQ(desk.call({"render", "s", "--view", "oblique", "--width-px", "800", "--renderer", "egl", "--out",
                        "p.png"}),
-            ExitCode::kDone);
+            robot::ExitCode::kDone);
   EXPECT_EQ(desk.render.view, "oblique");
   EXPECT_EQ(desk.render.width_px, 800);
   EXPECT_EQ(desk.render.renderer, "egl");
-  EXPECT_EQ(desk.call({"render", "s", "--view", "below"}), ExitCode::kWrongCommandLine);
+  EXPECT_EQ(desk.call({"render", "s", "--view", "below"}), robot::ExitCode::kWrongCommandLine);
 }
 
 TEST(CommandLine, HandsMapAndTileToImport) {
   Desk desk;
-  EXPECT_EQ(desk.call({"import", "flat.yaml", "--tile-m", "0.5", "--out", "scene.yaml"}), ExitCode::kDone);
+  EXPECT_EQ(desk.call({"import", "flat.yaml", "--tile-m", "0.5", "--out", "scene.yaml"}),
+            robot::ExitCode::kDone);
   EXPECT_EQ(desk.import.map, "flat.yaml");
   EXPECT_EQ(desk.import.tile_m, 0.5);
-  EXPECT_EQ(desk.call({"import", "flat.yaml", "--tile-m", "nan"}), ExitCode::kWrongCommandLine);
+  EXPECT_EQ(desk.call({"import", "flat.yaml", "--tile-m", "nan"}), robot::ExitCode::kWrongCommandLine);
 }
 
 TEST(CommandLine, HandsExplorersMapsAndJobsToTheStudy) {
   Desk desk;
   EXPECT_EQ(desk.call({"epsilon", "--explorer", "idfm", "--explorer", "sweep", "--maps", "10", "--jobs", "2",
                        "--knowledge", "bump"}),
-            ExitCode::kDone);
+            robot::ExitCode::kDone);
   EXPECT_THAT(desk.epsilon.explorers, ElementsAre("idfm", "sweep"));
   EXPECT_EQ(desk.epsilon.maps_per_cell, 10);
   EXPECT_EQ(desk.epsilon.jobs, 2);
@@ -143,33 +145,33 @@ TEST(CommandLine, HandsExplorersMapsAndJobsToTheStudy) {
 
 TEST(CommandLine, NamesTheMissingScene) {
   Desk desk;
-  EXPECT_EQ(desk.call({"run"}), ExitCode::kWrongCommandLine);
+  EXPECT_EQ(desk.call({"run"}), robot::ExitCode::kWrongCommandLine);
   EXPECT_THAT(desk.err.str(), HasSubstr("SCENE is required"));
   EXPECT_THAT(desk.err.str(), HasSubstr("'twin run --help'"));
 }
 
 TEST(CommandLine, BlamesTheMistypedOptionAndNotWhatIsMissingBecauseOfIt) {
   Desk desk;
-  EXPECT_EQ(desk.call({"run", "s", "--sed", "8"}), ExitCode::kWrongCommandLine);
+  EXPECT_EQ(desk.call({"run", "s", "--sed", "8"}), robot::ExitCode::kWrongCommandLine);
   EXPECT_THAT(desk.err.str(), HasSubstr("unknown option '--sed' (did you mean '--seed'?)"));
 }
 
 TEST(CommandLine, SuggestsTheNearestCommand) {
   Desk desk;
-  EXPECT_EQ(desk.call({"rnu", "s"}), ExitCode::kWrongCommandLine);
+  EXPECT_EQ(desk.call({"rnu", "s"}), robot::ExitCode::kWrongCommandLine);
   EXPECT_THAT(desk.err.str(), HasSubstr("unknown command 'rnu' (did you mean 'run'?)"));
 }
 
 TEST(CommandLine, SuggestsNothingForAWordThatIsNearNone) {
   Desk desk;
-  EXPECT_EQ(desk.call({"vacuum"}), ExitCode::kWrongCommandLine);
+  EXPECT_EQ(desk.call({"vacuum"}), robot::ExitCode::kWrongCommandLine);
   EXPECT_THAT(desk.err.str(), Not(HasSubstr("did you mean")));
 }
 
 TEST(CommandLine, OpensEveryHelpWithExamplesThatAreThatCommands) {
   for (const char* command : {"run", "show", "render", "import", "epsilon"}) {
     Desk desk;
-    EXPECT_EQ(desk.call({command, "--help"}), ExitCode::kDone);
+    EXPECT_EQ(desk.call({command, "--help"}), robot::ExitCode::kDone);
     const std::string help = desk.out.str();
     EXPECT_TRUE(help.starts_with(std::string{"twin "} + command + ": ")) << help;
     EXPECT_LT(help.find("Examples:\n  twin " + std::string{command}), help.find("Usage:")) << help;
@@ -197,7 +199,7 @@ TEST(Color, IsForTerminalsUnlessNoColorIsSetOrTheUserDecides) {
     desk.no_color = no_color;
     desk.deed = [](Context& context) {
       context.warn("careful");
-      return ExitCode::kDone;
+      return robot::ExitCode::kDone;
     };
     std::vector<std::string> arguments{"show", "s"};
     arguments.insert(arguments.end(), more.begin(), more.end());
@@ -213,19 +215,22 @@ TEST(Color, IsForTerminalsUnlessNoColorIsSetOrTheUserDecides) {
 }
 
 TEST(Failures, EndWithTheCodeThatTheyCarryAndOneLine) {
-  const auto ending = [](std::function<ExitCode(Context&)> deed) {
+  const auto ending = [](std::function<robot::ExitCode(Context&)> deed) {
     Desk desk;
     desk.deed = std::move(deed);
-    const ExitCode code = desk.call({"run", "s", "-q"});
-    return std::make_pair(as_int(code), desk.err.str());
+    const robot::ExitCode code = desk.call({"run", "s", "-q"});
+    return std::make_pair(robot::as_int(code), desk.err.str());
   };
-  EXPECT_EQ(ending([](Context&) { return ExitCode::kNotAccepted; }), std::make_pair(1, std::string{}));
-  EXPECT_EQ(
-      ending([](Context&) -> ExitCode { throw OutputError(ExitCode::kCannotCreate, "cannot create 'x'"); }),
-      std::make_pair(73, std::string{"error: cannot create 'x'\n"}));
-  EXPECT_EQ(ending([](Context&) -> ExitCode { throw CommandError(ExitCode::kInputMissing, "no 'y'"); }),
+  EXPECT_EQ(ending([](Context&) { return robot::ExitCode::kNotAccepted; }), std::make_pair(1, std::string{}));
+  EXPECT_EQ(ending([](Context&) -> robot::ExitCode {
+              throw robot::OutputError(robot::ExitCode::kCannotCreate, "cannot create 'x'");
+            }),
+            std::make_pair(73, std::string{"error: cannot create 'x'\n"}));
+  EXPECT_EQ(ending([](Context&) -> robot::ExitCode {
+              throw CommandError(robot::ExitCode::kInputMissing, "no 'y'");
+            }),
             std::make_pair(66, std::string{"error: no 'y'\n"}));
-  EXPECT_EQ(ending([](Context&) -> ExitCode { throw std::logic_error("oops"); }),
+  EXPECT_EQ(ending([](Context&) -> robot::ExitCode { throw std::logic_error("oops"); }),
             std::make_pair(70, std::string{"error: internal: oops\n"}));
 }
 
@@ -233,9 +238,9 @@ TEST(Failures, IncludeResultsThatDidNotReachStdout) {
   Desk desk;
   desk.deed = [](Context& context) {
     context.out.setstate(std::ios::badbit);
-    return ExitCode::kDone;
+    return robot::ExitCode::kDone;
   };
-  EXPECT_EQ(desk.call({"run", "s"}), ExitCode::kIoError);
+  EXPECT_EQ(desk.call({"run", "s"}), robot::ExitCode::kIoError);
 }
 
 TEST(Doctor, IsUnhealthyOnlyWhenSomethingRequiredIsMissing) {
@@ -249,13 +254,13 @@ TEST(Doctor, IsUnhealthyOnlyWhenSomethingRequiredIsMissing) {
                                                              {"paint", true, []() -> ProbeResult {
                                                                 return {true, "plenty"};
                                                               }}})};
-    const ExitCode code =
+    const robot::ExitCode code =
         run_application({"doctor"}, commands, {.out = out, .err = err, .wall_s = {}, .utc = {}});
     return std::make_pair(code, out.str());
   };
-  EXPECT_EQ(examine(true).first, ExitCode::kUnavailable);
+  EXPECT_EQ(examine(true).first, robot::ExitCode::kUnavailable);
   EXPECT_THAT(examine(true).second, HasSubstr("missing  screen             none found\nok       paint"));
-  EXPECT_EQ(examine(false).first, ExitCode::kDone);
+  EXPECT_EQ(examine(false).first, robot::ExitCode::kDone);
   EXPECT_THAT(examine(false).second, HasSubstr("absent   screen"));
 }
 
@@ -265,7 +270,7 @@ TEST(Doctor, ReportsAProbeThatThrewAsMissing) {
   const std::vector<Command> commands{make_doctor_command(
       {{"screen", true, []() -> ProbeResult { throw std::runtime_error("driver broke"); }}})};
   EXPECT_EQ(run_application({"doctor"}, commands, {.out = out, .err = err, .wall_s = {}, .utc = {}}),
-            ExitCode::kUnavailable);
+            robot::ExitCode::kUnavailable);
   EXPECT_THAT(out.str(), HasSubstr("driver broke"));
 }
 

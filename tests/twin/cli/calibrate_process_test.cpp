@@ -8,7 +8,7 @@
 #include <numbers>
 
 #include "robot/base/random.hpp"
-#include "temporary_folder.hpp"
+#include "tests/robot/output/temporary_folder.hpp"
 #include "twin/output/tag_log.hpp"
 #include "twin_process.hpp"
 
@@ -22,7 +22,7 @@ constexpr double kTurn_rad = 2.0 * std::numbers::pi;
 /// Four reads on each of 50 channels in rising order of frequency, phase falling with a delay.
 void write_log(const std::filesystem::path& file, double delay_s) {
   robot::RandomStream random = robot::RandomStream{1}.fork(file.filename().string());
-  TagLogWriter writer{OutputFile{file}};
+  TagLogWriter writer{robot::OutputFile{file}};
   for (std::uint16_t read = 0; read < 200; ++read) {
     const double hz = 902.75e6 + 0.5e6 * (read / 4);
     const double rad = -kTurn_rad * hz * delay_s + random.normal(0.0, 0.01);

@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <nlohmann/json.hpp>
 
-#include "temporary_folder.hpp"
+#include "tests/robot/output/temporary_folder.hpp"
 #include "twin/scene/scene_reader.hpp"
 #include "twin/scene/scene_writer.hpp"
 #include "twin_process.hpp"

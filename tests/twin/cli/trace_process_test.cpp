@@ -3,7 +3,7 @@
 
 #include <fstream>
 
-#include "temporary_folder.hpp"
+#include "tests/robot/output/temporary_folder.hpp"
 #include "twin_process.hpp"
 
 namespace sensotwin::twin {

@@ -5,7 +5,7 @@
 
 #include <numbers>
 
-#include "temporary_folder.hpp"
+#include "tests/robot/output/temporary_folder.hpp"
 
 namespace sensotwin::twin {
 namespace {
@@ -15,7 +15,7 @@ TEST(TagLogWriter, WritesWhatSllurpWrites) {
   constexpr double kUnit_rad = 2.0 * std::numbers::pi / 4096.0;
   const TemporaryFolder folder;
   const robot::Epc epc{{0x30, 0x34, 0x35, 0xfc, 0x88, 0x03, 0xd0, 0x56, 0xd1, 0x5b, 0x96, 0x3f}};
-  TagLogWriter writer{OutputFile{folder / "tags.csv"}};
+  TagLogWriter writer{robot::OutputFile{folder / "tags.csv"}};
   writer.add({.time_s = 77.72374,
               .epc = epc,
               .antenna = 1,
@@ -40,7 +40,7 @@ TEST(TagLogWriter, WritesWhatSllurpWrites) {
 // Protocols study, 2.6: a PeakRSSI of -68 beside an Impinj RSSI of -68.5.
 TEST(TagLogWriter, CutsRssiAndWrapsAPhaseJustBelowAWholeTurn) {
   const TemporaryFolder folder;
-  TagLogWriter writer{OutputFile{folder / "tags.csv"}};
+  TagLogWriter writer{robot::OutputFile{folder / "tags.csv"}};
   writer.add({.phase_rad = 2.0 * std::numbers::pi - 1e-6, .rssi_dbm = -68.5});
   writer.finish();
   EXPECT_TRUE(

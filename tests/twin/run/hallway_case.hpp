@@ -37,7 +37,7 @@ struct HallwayOutcome {
 
 inline HallwayOutcome hallway_run(const Scene& scene) {
   const TemporaryFolder folder;
-  RunFolder results(folder / "run", Existing::kRefuse);
+  robot::RunFolder results(folder / "run", robot::Existing::kRefuse);
   SceneRunOptions options;
   options.scene_as_given = scene.name;
   options.pictures = false;

@@ -22,7 +22,7 @@ Scene office(const std::string& variant = "", const std::vector<std::string>& se
 
 Summary run(const Scene& scene, bool pictures = false) {
   const TemporaryFolder folder;
-  RunFolder results(folder / "run", Existing::kRefuse);
+  robot::RunFolder results(folder / "run", robot::Existing::kRefuse);
   SceneRunOptions options;
   options.scene_as_given = scene.name;
   options.pictures = pictures;

@@ -30,7 +30,7 @@ struct Journalled {
 /// Runs a scene of the gallery. \returns its journal
 robot::Journal journal_of(const Journalled& wanted) {
   const TemporaryFolder folder;
-  RunFolder results(folder / "run", Existing::kRefuse);
+  robot::RunFolder results(folder / "run", robot::Existing::kRefuse);
   SceneRunOptions options;
   options.pictures = false;
   options.journal = folder / "journal";

@@ -10,7 +10,7 @@
 #include <string>
 #include <vector>
 
-#include "temporary_folder.hpp"
+#include "tests/robot/output/temporary_folder.hpp"
 #include "twin/run/mapping_run.hpp"
 #include "twin/scene/scene_reader.hpp"
 
@@ -38,7 +38,7 @@ inline Scene home(const std::string& name, const std::string& explorer, std::uin
 
 /// Runs to the end, into `folder`. \param pictures  they take seconds
 inline Summary run_into(const std::filesystem::path& folder, const Scene& scene, bool pictures = false) {
-  RunFolder results(folder, Existing::kRefuse);
+  robot::RunFolder results(folder, robot::Existing::kRefuse);
   SceneRunOptions options;
   options.scene_as_given = scene.name;
   options.pictures = pictures;

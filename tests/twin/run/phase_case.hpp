@@ -9,7 +9,7 @@ namespace sensotwin::twin {
 /// Runs a scene along ceiling tags to its end, into `folder`, its reads logged beside. \param pictures  they
 /// take a second
 inline Summary phase_run(const std::filesystem::path& folder, const Scene& scene, bool pictures = false) {
-  RunFolder results(folder, Existing::kRefuse);
+  robot::RunFolder results(folder, robot::Existing::kRefuse);
   SceneRunOptions options;
   options.scene_as_given = scene.name;
   options.pictures = pictures;

@@ -138,12 +138,10 @@ TEST_F(RecordedRun, SaysTheSameInItsSummaryAsItsCaller) {
 
 TEST(InterruptedRun, EndsWhenToldToAndLeavesAShorterValidFolder) {
   const TemporaryFolder folder;
-  RunFolder results(folder / "run", Existing::kRefuse);
+  robot::RunFolder results(folder / "run", robot::Existing::kRefuse);
   int asked = 0;
   SceneRunOptions options;
-  options.keep_going = [&](const RunProgress& progress) {
-    return ++asked < 10 && progress.total == 225;
-  };
+  options.keep_going = [&](const RunProgress& progress) { return ++asked < 10 && progress.total == 225; };
   const Summary summary = run_mapping(published("house"), results, options);
   EXPECT_TRUE(summary.interrupted);
   EXPECT_EQ(verdict_of(summary), "interrupted");
@@ -156,7 +154,7 @@ TEST(InterruptedRun, EndsWhenToldToAndLeavesAShorterValidFolder) {
 
 TEST(InterruptedRun, LeavesOutThePicturesThatWereNotDrawnYet) {
   const TemporaryFolder folder;
-  RunFolder results(folder / "run", Existing::kRefuse);
+  robot::RunFolder results(folder / "run", robot::Existing::kRefuse);
   SceneRunOptions options;
   const Scene scene = published("lesson_2x2");
   const double whole_s = run_of(scene).sim_s;

@@ -283,10 +283,10 @@ TEST(BrokenScenes, AreNamedUpToTwentyMistakes) {
   try {
     (void)read_scene_text(text, "s.yaml");
     FAIL();
-  } catch (const SceneError& error) {
+  } catch (const robot::LoadError& error) {
     EXPECT_EQ(error.problems().size(), 20u);
     EXPECT_EQ(error.problems().front().path, "extra0");
-    EXPECT_EQ(error.exit_code(), kExitInvalid);
+    EXPECT_EQ(error.exit_code(), robot::kExitInvalid);
   }
 }
 
@@ -303,9 +303,9 @@ TEST(BrokenScenes, ThatAreNotThereEndInExitCode66) {
   try {
     (void)read_scene("no/such/scene.yaml");
     FAIL();
-  } catch (const SceneError& error) {
+  } catch (const robot::LoadError& error) {
     EXPECT_STREQ(error.what(), "no/such/scene.yaml: error: no such file; expected a scene");
-    EXPECT_EQ(error.exit_code(), kExitMissing);
+    EXPECT_EQ(error.exit_code(), robot::kExitMissing);
   }
 }
 
@@ -313,10 +313,10 @@ TEST(BrokenScenes, ThatNameAMissingMapEndInExitCode66) {
   try {
     (void)read_scene_text("version: 1\nseed: 1\nworld: { map: { file: gone.yaml } }\n", "scenes/s.yaml");
     FAIL();
-  } catch (const SceneError& error) {
+  } catch (const robot::LoadError& error) {
     EXPECT_STREQ(error.what(),
                  "scenes/s.yaml:3:23: error: world.map.file: scenes/gone.yaml: no such file; expected a map");
-    EXPECT_EQ(error.exit_code(), kExitMissing);
+    EXPECT_EQ(error.exit_code(), robot::kExitMissing);
   }
 }
 

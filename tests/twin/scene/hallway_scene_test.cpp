@@ -21,7 +21,7 @@ Scene office(const std::vector<std::string>& set = {}) {
 std::string complaint(const std::vector<std::string>& set) {
   try {
     static_cast<void>(office(set));
-  } catch (const SceneError& error) {
+  } catch (const robot::LoadError& error) {
     return error.what();
   }
   return "no error";

@@ -18,7 +18,7 @@ std::string map_message(const std::string& map_yaml, const std::string& bytes, i
   try {
     (void)read_map(folder / "map.yaml");
     return "no error";
-  } catch (const SceneError& error) {
+  } catch (const robot::LoadError& error) {
     exit_code = error.exit_code();
     std::string text = error.what();
     const std::string name = folder.string() + "/";
@@ -32,7 +32,7 @@ std::string map_message(const std::string& map_yaml, const std::string& bytes, i
 std::string invalid(const std::string& find, const std::string& replace) {
   int exit_code = 0;
   const std::string text = map_message(edited(kMapYaml, find, replace), drawn({".."}), exit_code);
-  EXPECT_EQ(exit_code, kExitInvalid);
+  EXPECT_EQ(exit_code, robot::kExitInvalid);
   return text;
 }
 
@@ -132,29 +132,29 @@ TEST(MapImport, RefusesATruncatedPgm) {
             "map.yaml:1:8: error: image: map.pgm is cut off: 3 bytes of pixels where 117375 are needed; "
             "expected a whole "
             "PGM or PNG");
-  EXPECT_EQ(exit_code, kExitInvalid);
+  EXPECT_EQ(exit_code, robot::kExitInvalid);
 }
 
 TEST(MapImport, RefusesAnEmptyPicture) {
   int exit_code = 0;
   EXPECT_EQ(map_message(kMapYaml, "", exit_code),
             "map.yaml:1:8: error: image: map.pgm is empty (0 bytes); expected a whole PGM or PNG");
-  EXPECT_EQ(exit_code, kExitInvalid);
+  EXPECT_EQ(exit_code, robot::kExitInvalid);
 }
 
 TEST(MapImport, ReportsAMissingPictureWithExitCode66) {
   int exit_code = 0;
   EXPECT_EQ(map_message(edited(kMapYaml, "map.pgm", "gone.png"), "", exit_code),
             "map.yaml:1:8: error: image: gone.png: no such file; expected a picture");
-  EXPECT_EQ(exit_code, kExitMissing);
+  EXPECT_EQ(exit_code, robot::kExitMissing);
 }
 
 TEST(MapImport, ReportsAMissingMapWithExitCode66) {
   try {
     (void)read_map("no/such/map.yaml");
     FAIL();
-  } catch (const SceneError& error) {
-    EXPECT_EQ(error.exit_code(), kExitMissing);
+  } catch (const robot::LoadError& error) {
+    EXPECT_EQ(error.exit_code(), robot::kExitMissing);
     EXPECT_STREQ(error.what(), "no/such/map.yaml: error: no such file; expected a map");
   }
 }
@@ -162,7 +162,7 @@ TEST(MapImport, ReportsAMissingMapWithExitCode66) {
 TEST(MapImport, ReportsAPictureGivenInPlaceOfTheMap) {
   int exit_code = 0;
   const std::string text = map_message(drawn({".."}), "", exit_code);
-  EXPECT_EQ(exit_code, kExitInvalid);
+  EXPECT_EQ(exit_code, robot::kExitInvalid);
   EXPECT_EQ(text.find("map.yaml:"), 0u) << text;
 }
 
@@ -173,7 +173,7 @@ TEST(MapImport, MakesASceneWhoseErrorsNameTheMapsFile) {
     (void)read_scene_text("version: 1\nseed: 1\nworld: { map: { file: map.yaml } }\ntime_limit_s: 0\n",
                           folder / "s.yaml");
     FAIL();
-  } catch (const SceneError& error) {
+  } catch (const robot::LoadError& error) {
     ASSERT_EQ(error.problems().size(), 2u);
     EXPECT_EQ(error.problems()[0].place.source, (folder / "s.yaml").string());
     EXPECT_EQ(error.problems()[1].place.source, (folder / "map.yaml").string());
@@ -188,7 +188,7 @@ TEST(MapImport, RefusesAMapWithoutFloor) {
   try {
     (void)read_scene_text("version: 1\nseed: 1\nworld: { map: { file: map.yaml } }\n", folder / "s.yaml");
     FAIL();
-  } catch (const SceneError& error) {
+  } catch (const robot::LoadError& error) {
     ASSERT_EQ(error.problems().size(), 1u);
     EXPECT_EQ(error.problems()[0].what, "the map has no free cell");
   }

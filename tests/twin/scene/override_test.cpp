@@ -72,8 +72,8 @@ TEST(Override, WithoutAnEqualsSignIsAMistakeOfTheCommandLine) {
   try {
     (void)read_with({"mission.map.explorer"});
     FAIL();
-  } catch (const SceneError& error) {
-    EXPECT_EQ(error.exit_code(), kExitUsage);
+  } catch (const robot::LoadError& error) {
+    EXPECT_EQ(error.exit_code(), robot::kExitUsage);
     EXPECT_STREQ(error.what(),
                  "--set mission.map.explorer: error: is no assignment; expected key.path=value, such as "
                  "mission.map.explorer=dfm");

@@ -83,7 +83,7 @@ TEST(PhaseScene, RefusesFaultsThatSayNothing) {
     try {
       (void)read_scene_text(kTagScene, "s.yaml", {.set = {set}, .seed = {}});
       ADD_FAILURE() << set;
-    } catch (const SceneError& error) {
+    } catch (const robot::LoadError& error) {
       EXPECT_NE(std::string(error.what()).find(message), std::string::npos) << error.what();
     }
   }

@@ -13,37 +13,37 @@
 #include <valijson/validation_results.hpp>
 #include <valijson/validator.hpp>
 
+#include "robot/config/text_file.hpp"
+#include "robot/config/yaml_tree.hpp"
 #include "scene_texts.hpp"
-#include "twin/scene/text_file.hpp"
-#include "twin/scene/yaml_tree.hpp"
 
 namespace sensotwin::twin {
 namespace {
 
 using nlohmann::json;
 
-json json_of(const YamlNode& node) {
+json json_of(const robot::YamlNode& node) {
   switch (node.kind) {
-    case YamlKind::kNothing:
+    case robot::YamlKind::kNothing:
       return nullptr;
-    case YamlKind::kFlag:
+    case robot::YamlKind::kFlag:
       return node.text == "true";
-    case YamlKind::kNumber:
+    case robot::YamlKind::kNumber:
       return json::parse(node.text, nullptr, false);
-    case YamlKind::kText:
+    case robot::YamlKind::kText:
       return node.text;
-    case YamlKind::kList: {
+    case robot::YamlKind::kList: {
       json list = json::array();
-      for (const YamlNode& item : node.items) {
+      for (const robot::YamlNode& item : node.items) {
         list.push_back(json_of(item));
       }
       return list;
     }
-    case YamlKind::kSection:
+    case robot::YamlKind::kSection:
       break;
   }
   json object = json::object();
-  for (const YamlEntry& entry : node.entries) {
+  for (const robot::YamlEntry& entry : node.entries) {
     object[entry.key] = json_of(entry.value);
   }
   return object;
@@ -59,8 +59,8 @@ class Schema {
   }
   /// \returns what the schema has against the scene; empty when nothing
   std::string against(const std::string& yaml) {
-    std::vector<Problem> problems;
-    const json scene = json_of(parse_yaml(yaml, "s.yaml", problems));
+    std::vector<robot::Problem> problems;
+    const json scene = json_of(robot::parse_yaml(yaml, "s.yaml", problems));
     const valijson::adapters::NlohmannJsonAdapter adapter(scene);
     valijson::Validator validator;
     valijson::ValidationResults results;
@@ -86,7 +86,7 @@ TEST(SceneSchema, IsTheOneThatIsPublished) {
       std::filesystem::path(SENSOTWIN_SOURCE_DIR) / "scenes/scene.schema.json";
   const std::filesystem::path fresh = "scene.schema.json";
   const bool same =
-      std::filesystem::exists(published) && read_text_file(published, "schema") == scene_schema();
+      std::filesystem::exists(published) && robot::read_text_file(published, "schema") == scene_schema();
   if (!same) {
     std::ofstream(fresh) << scene_schema();
   }
@@ -98,7 +98,7 @@ TEST(SceneSchema, AcceptsThePublishedScenes) {
   for (const auto& entry :
        std::filesystem::directory_iterator(std::filesystem::path(SENSOTWIN_SOURCE_DIR) / "scenes")) {
     if (entry.path().extension() == ".yaml") {
-      EXPECT_EQ(schema.against(read_text_file(entry.path(), "scene")), "") << entry.path();
+      EXPECT_EQ(schema.against(robot::read_text_file(entry.path(), "scene")), "") << entry.path();
     }
   }
 }

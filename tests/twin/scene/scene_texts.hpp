@@ -4,7 +4,7 @@
 #include <stdexcept>
 #include <string>
 
-#include "twin/scene/problem.hpp"
+#include "robot/config/problem.hpp"
 #include "twin/scene/scene_reader.hpp"
 
 namespace sensotwin::twin {
@@ -40,7 +40,7 @@ inline std::string messages(const std::string& text, const SceneOverrides& overr
   try {
     (void)read_scene_text(text, "s.yaml", overrides);
     return "no error";
-  } catch (const SceneError& error) {
+  } catch (const robot::LoadError& error) {
     return error.what();
   }
 }

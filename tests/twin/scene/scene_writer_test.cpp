@@ -6,8 +6,8 @@
 #include <filesystem>
 #include <fstream>
 
+#include "robot/config/number_text.hpp"
 #include "scene_texts.hpp"
-#include "twin/scene/number_text.hpp"
 
 namespace sensotwin::twin {
 namespace {
@@ -103,9 +103,9 @@ TEST(ShownScene, SpellsItsMapFromTheFolderItIsSavedIn) {
 TEST(Degrees, ReadBackAsTheSameRadiansForAThousandAngles) {
   for (int i = 0; i < 1000; ++i) {
     const double rad = robot::rad_from_deg(-360.0 + 0.7213 * i);
-    EXPECT_EQ(robot::rad_from_deg(degrees_for(rad)), rad);
+    EXPECT_EQ(robot::rad_from_deg(robot::degrees_for(rad)), rad);
   }
-  EXPECT_EQ(number_text(degrees_for(robot::rad_from_deg(33.3))), "33.3");
+  EXPECT_EQ(robot::number_text(robot::degrees_for(robot::rad_from_deg(33.3))), "33.3");
 }
 
 }  // namespace

@@ -58,7 +58,7 @@ TEST(Variant, GoesOnFromNoneBelowNorFromItself) {
     try {
       (void)read_scene_text(text, "s.yaml", {.variant = "self"});
       ADD_FAILURE() << base;
-    } catch (const SceneError& error) {
+    } catch (const robot::LoadError& error) {
       EXPECT_THAT(error.what(), testing::HasSubstr("variants.self.from: is '" + std::string(base)));
       EXPECT_THAT(error.what(), testing::HasSubstr("expected the name of a variant above this one"));
     }
@@ -81,8 +81,8 @@ TEST(Variant, ThatIsNotThereEndsAsAWrongCommandLineWithTheNamesThatAre) {
   try {
     static_cast<void>(read_as("hevy"));
     FAIL() << "read";
-  } catch (const SceneError& error) {
-    EXPECT_EQ(error.exit_code(), kExitUsage);
+  } catch (const robot::LoadError& error) {
+    EXPECT_EQ(error.exit_code(), robot::kExitUsage);
   }
 }
 

@@ -11,7 +11,7 @@
 #include "calibration_bench.hpp"
 #include "robot/calibration/calibration_report.hpp"
 #include "robot/settings/robot_file.hpp"
-#include "temporary_folder.hpp"
+#include "tests/robot/output/temporary_folder.hpp"
 #include "twin/run/mapping_twin.hpp"
 #include "twin/run/phase_config.hpp"
 #include "twin/scene/scene_reader.hpp"

@@ -8,7 +8,7 @@
 
 #include "llrp_session.hpp"
 #include "serve_bench.hpp"
-#include "temporary_folder.hpp"
+#include "tests/robot/output/temporary_folder.hpp"
 #include "twin_process.hpp"
 
 namespace sensotwin::twin {

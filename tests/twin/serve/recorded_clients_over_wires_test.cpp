@@ -18,7 +18,7 @@
 #include "robot/wire/llrp/codec.hpp"
 #include "robot/wire/llrp/frame.hpp"
 #include "serve_bench.hpp"
-#include "temporary_folder.hpp"
+#include "tests/robot/output/temporary_folder.hpp"
 #include "twin_process.hpp"
 
 namespace sensotwin::twin {

@@ -7,7 +7,7 @@
 #include <string>
 
 #include "llrp_session.hpp"
-#include "temporary_folder.hpp"
+#include "tests/robot/output/temporary_folder.hpp"
 #include "twin_process.hpp"
 
 namespace sensotwin::twin {

@@ -8,7 +8,7 @@
 #include <string>
 
 #include "serve_bench.hpp"
-#include "temporary_folder.hpp"
+#include "tests/robot/output/temporary_folder.hpp"
 #include "twin_process.hpp"
 
 namespace sensotwin::twin {

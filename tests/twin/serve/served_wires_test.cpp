@@ -13,7 +13,7 @@
 
 #include "llrp_session.hpp"
 #include "serve_bench.hpp"
-#include "temporary_folder.hpp"
+#include "tests/robot/output/temporary_folder.hpp"
 #include "twin/scene/scene_reader.hpp"
 
 namespace sensotwin::twin {

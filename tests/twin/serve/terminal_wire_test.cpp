@@ -10,7 +10,7 @@
 #include <optional>
 
 #include "serve_bench.hpp"
-#include "temporary_folder.hpp"
+#include "tests/robot/output/temporary_folder.hpp"
 #include "tests/twin/devices/roomba_bench.hpp"
 #include "twin/serve/serve_error.hpp"
 

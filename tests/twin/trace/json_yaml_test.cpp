@@ -9,8 +9,8 @@ namespace sensotwin::twin {
 namespace {
 
 Json through_yaml(const Json& value) {
-  std::vector<Problem> problems;
-  const YamlNode node = parse_yaml(yaml_of(value), "text", problems);
+  std::vector<robot::Problem> problems;
+  const robot::YamlNode node = robot::parse_yaml(yaml_of(value), "text", problems);
   EXPECT_TRUE(problems.empty()) << yaml_of(value);
   return json_of(node);
 }

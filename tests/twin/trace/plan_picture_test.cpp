@@ -3,9 +3,9 @@
 
 #include <gmock/gmock.h>
 
+#include "robot/config/problem.hpp"
 #include "trace_bench.hpp"
 #include "twin/scene/map_import.hpp"
-#include "twin/scene/problem.hpp"
 
 namespace sensotwin::twin {
 namespace {
@@ -18,8 +18,8 @@ const std::string kPgm = "P2\n4 2\n255\n0 255 255 255\n255 255 255 255\n";
 std::string trouble(const std::string& bytes) {
   try {
     (void)plan_from_bytes(bytes, "plan");
-  } catch (const SceneError& error) {
-    EXPECT_EQ(error.exit_code(), kExitInvalid);
+  } catch (const robot::LoadError& error) {
+    EXPECT_EQ(error.exit_code(), robot::kExitInvalid);
     return error.what();
   }
   return "none";
@@ -71,8 +71,8 @@ TEST(PlanPicture, MissesThePictureOfAMap) {
   try {
     (void)read_plan(bench.folder / "map.yaml");
     FAIL();
-  } catch (const SceneError& error) {
-    EXPECT_EQ(error.exit_code(), kExitMissing);
+  } catch (const robot::LoadError& error) {
+    EXPECT_EQ(error.exit_code(), robot::kExitMissing);
     EXPECT_THAT(error.what(), HasSubstr("gone.pgm"));
   }
 }

@@ -7,7 +7,7 @@
 #include <fstream>
 #include <string>
 
-#include "temporary_folder.hpp"
+#include "tests/robot/output/temporary_folder.hpp"
 #include "twin/trace/json_yaml.hpp"
 #include "twin/trace/trace_session.hpp"
 

@@ -6,8 +6,8 @@
 
 #include <csignal>
 
+#include "robot/output/output_error.hpp"
 #include "trace_bench.hpp"
-#include "twin/output/output_error.hpp"
 #include "twin/trace/trace_error.hpp"
 
 namespace sensotwin::twin {
@@ -74,7 +74,7 @@ TEST(TraceFolder, RefusesToWriteAnythingWhenOneNameIsNone) {
 TEST(TraceFolder, CannotBeWhereAFileIs) {
   TraceBench bench;
   bench.put("file", "x");
-  EXPECT_THROW(TraceFolder(bench.folder / "file"), OutputError);
+  EXPECT_THROW(TraceFolder(bench.folder / "file"), robot::OutputError);
 }
 
 TEST(TraceFolder, SeesNoConflictInWhatIsTheSameAnyway) {

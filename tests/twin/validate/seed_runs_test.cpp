@@ -6,8 +6,8 @@
 #include <atomic>
 #include <fstream>
 
-#include "temporary_folder.hpp"
-#include "twin/output/output_error.hpp"
+#include "robot/output/output_error.hpp"
+#include "tests/robot/output/temporary_folder.hpp"
 #include "twin/run/mapping_run.hpp"
 #include "twin/scene/scene_reader.hpp"
 
@@ -45,7 +45,7 @@ TEST(SeedRuns, AreTheRunsThatTwinRunMakes) {
   ASSERT_TRUE(run_seeds(lesson(), options_for(folder, {8}, 1), table));
   Scene scene = lesson();
   scene.seed = 8;
-  RunFolder run(folder / "run", Existing::kRefuse);
+  robot::RunFolder run(folder / "run", robot::Existing::kRefuse);
   SceneRunOptions options;
   options.pictures = false;
   const Summary summary = run_mapping(scene, run, options);
@@ -83,7 +83,7 @@ TEST(SeedRuns, EndWithTheErrorOfARunAndKeepTheOthers) {
   SeedRunsOptions options = options_for(folder, {1, 2}, 2);
   std::ofstream{folder / "file"} << "no folder";
   options.scratch = folder / "file" / "scratch";
-  EXPECT_THROW((void)run_seeds(lesson(), options, table), OutputError);
+  EXPECT_THROW((void)run_seeds(lesson(), options, table), robot::OutputError);
 }
 
 }  // namespace

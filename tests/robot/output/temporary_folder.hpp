@@ -9,7 +9,7 @@
 #include <stdexcept>
 #include <string>
 
-namespace sensotwin::twin {
+namespace sensotwin {
 
 /// An empty folder for one test, removed with it.
 class TemporaryFolder {
@@ -42,4 +42,4 @@ class TemporaryFolder {
   return text.str();
 }
 
-}  // namespace sensotwin::twin
+}  // namespace sensotwin

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "twin/output/run_folder.hpp"
+#include "robot/output/run_folder.hpp"
 
 #include <gmock/gmock.h>
 #include <sys/resource.h>
@@ -7,10 +7,10 @@
 #include <csignal>
 #include <utility>
 
-#include "temporary_folder.hpp"
-#include "twin/output/output_error.hpp"
+#include "robot/output/output_error.hpp"
+#include "tests/robot/output/temporary_folder.hpp"
 
-namespace sensotwin::twin {
+namespace sensotwin::robot {
 namespace {
 
 using ::testing::HasSubstr;
@@ -191,4 +191,4 @@ TEST(RunFolder, NamesItselfAfterSceneSeedAndTheTimeThatItWasHanded) {
 }
 
 }  // namespace
-}  // namespace sensotwin::twin
+}  // namespace sensotwin::robot

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "twin/output/signals.hpp"
+#include "robot/output/signals.hpp"
 
 #include <gtest/gtest.h>
 #include <unistd.h>
@@ -7,7 +7,7 @@
 #include <csignal>
 #include <cstdlib>
 
-namespace sensotwin::twin {
+namespace sensotwin::robot {
 namespace {
 
 // Signals are the process's, so each case runs in one of its own.
@@ -51,4 +51,4 @@ TEST(SignalsDeathTest, ABrokenPipeEndsTheProcessWithoutAWord) {
 }
 
 }  // namespace
-}  // namespace sensotwin::twin
+}  // namespace sensotwin::robot

@@ -45,12 +45,28 @@ double distance_from(const Line& line, const Vec2& p_m) {
   return (p_m - line.a_m - along * way).norm();
 }
 
+/// What surrounds it, so far off.
+FloorPiece around(const Line& line, double away_m) {
+  const Vec2 margin{away_m, away_m};
+  return {line.a_m.cwiseMin(line.b_m) - margin, line.a_m.cwiseMax(line.b_m) + margin};
+}
+
+void clear(OccupancyMap& map, const FloorPiece& piece) {
+  const Vec2 from = (piece.low_m - map.X_WO.p_m) / kCell_m;
+  const Vec2 to = (piece.high_m - map.X_WO.p_m) / kCell_m;
+  for (int row = static_cast<int>(std::lround(from.y())); row < static_cast<int>(std::lround(to.y()));
+       ++row) {
+    const auto line = map.cells.begin() + static_cast<std::ptrdiff_t>(row) * map.columns;
+    std::fill(line + std::lround(from.x()), line + std::lround(to.x()), Cell::kFree);
+  }
+}
+
 /// A slanted hallway: what lies within half its width, round at the ends, so that no corner juts into the
 /// hallways that it meets.
-void clear(OccupancyMap& map, const Line& line, double half_m) {
-  const Vec2 margin{half_m, half_m};
-  const Vec2 from = (line.a_m.cwiseMin(line.b_m) - margin - map.X_WO.p_m) / kCell_m;
-  const Vec2 to = (line.a_m.cwiseMax(line.b_m) + margin - map.X_WO.p_m) / kCell_m;
+void clear_aslant(OccupancyMap& map, const Line& line, double half_m) {
+  const FloorPiece piece = around(line, half_m);
+  const Vec2 from = (piece.low_m - map.X_WO.p_m) / kCell_m;
+  const Vec2 to = (piece.high_m - map.X_WO.p_m) / kCell_m;
   for (int row = static_cast<int>(std::floor(from.y())); row < static_cast<int>(std::ceil(to.y())); ++row) {
     for (int column = static_cast<int>(std::floor(from.x())); column < static_cast<int>(std::ceil(to.x()));
          ++column) {
@@ -62,22 +78,13 @@ void clear(OccupancyMap& map, const Line& line, double half_m) {
   }
 }
 
-}  // namespace
-
-OccupancyMap floor_of(const robot::HallwayFile& hallways, const std::vector<FloorPiece>& rooms) {
-  const double half_m = 0.5 * hallways.width_m;
-  const std::vector<Line> lines = lines_of(hallways);
-  std::vector<FloorPiece> strips;
-  for (const Line& line : lines) {
-    const Vec2 margin{half_m, half_m};
-    strips.push_back({line.a_m.cwiseMin(line.b_m) - margin, line.a_m.cwiseMax(line.b_m) + margin});
-  }
-  strips.insert(strips.end(), rooms.begin(), rooms.end());
+/// Room for all of these, and nothing free yet.
+OccupancyMap solid_around(const std::vector<FloorPiece>& pieces) {
   Vec2 low_m{std::numeric_limits<double>::max(), std::numeric_limits<double>::max()};
   Vec2 high_m = -low_m;
-  for (const FloorPiece& strip : strips) {
-    low_m = low_m.cwiseMin(strip.low_m);
-    high_m = high_m.cwiseMax(strip.high_m);
+  for (const FloorPiece& piece : pieces) {
+    low_m = low_m.cwiseMin(piece.low_m);
+    high_m = high_m.cwiseMax(piece.high_m);
   }
   OccupancyMap map;
   map.resolution_m = kCell_m;
@@ -87,19 +94,28 @@ OccupancyMap floor_of(const robot::HallwayFile& hallways, const std::vector<Floo
   map.rows = static_cast<int>(std::ceil(size_m.y() / kCell_m));
   map.cells.assign(static_cast<std::size_t>(map.columns) * static_cast<std::size_t>(map.rows),
                    Cell::kOccupied);
-  for (std::size_t i = 0; i < strips.size(); ++i) {
-    if (i < lines.size() && !is_square(lines[i])) {
-      clear(map, lines[i], half_m);
-      continue;
+  return map;
+}
+
+}  // namespace
+
+OccupancyMap floor_of(const robot::HallwayFile& hallways, const std::vector<FloorPiece>& rooms) {
+  const double half_m = 0.5 * hallways.width_m;
+  const std::vector<Line> lines = lines_of(hallways);
+  std::vector<FloorPiece> pieces = rooms;
+  for (const Line& line : lines) {
+    pieces.push_back(around(line, half_m));
+  }
+  OccupancyMap map = solid_around(pieces);
+  for (const Line& line : lines) {
+    if (is_square(line)) {
+      clear(map, around(line, half_m));
+    } else {
+      clear_aslant(map, line, half_m);
     }
-    const FloorPiece& strip = strips[i];
-    const Vec2 from = (strip.low_m - map.X_WO.p_m) / kCell_m;
-    const Vec2 to = (strip.high_m - map.X_WO.p_m) / kCell_m;
-    for (int row = static_cast<int>(std::lround(from.y())); row < static_cast<int>(std::lround(to.y()));
-         ++row) {
-      const auto line = map.cells.begin() + static_cast<std::ptrdiff_t>(row) * map.columns;
-      std::fill(line + std::lround(from.x()), line + std::lround(to.x()), Cell::kFree);
-    }
+  }
+  for (const FloorPiece& room : rooms) {
+    clear(map, room);
   }
   return map;
 }

@@ -156,9 +156,8 @@ void JointFilter::correct(double innovation, double variance) {
   }
 }
 
-void JointFilter::set_offset(int j, const SparseRow& H, double innovation, double from_state, double noise) {
+void JointFilter::set_offset(int j, double innovation, double from_state, double noise) {
   // offset = phase - rest: known exactly as far as the rest is.
-  assert(H.size > 0);
   const double own = P_(j, j);
   const double rest_variance = from_state - 2.0 * gain_(j) + own;
   gain_.head(n_) -= P_.col(j).head(n_);
@@ -176,7 +175,7 @@ void JointFilter::correct_by_compass(double reading_rad) {
   const double from_state = project(H);
   const double noise = squared(compass_.noise_sigma_rad);
   if (!compass_known_) {
-    set_offset(kBias, H, innovation, from_state, noise);
+    set_offset(kBias, innovation, from_state, noise);
     compass_known_ = true;
     return;
   }
@@ -237,8 +236,7 @@ JointFilter::Outcome JointFilter::read(int id, const UhfRead& read, const Pose2&
   if (from_state > squared(kAmbiguousShare * model_.half_period_rad())) {
     const int offset = state_of(id) + 3;
     const int port = read.antenna > 1 ? kPorts + read.antenna - 2 : offset;
-    set_offset(P_(port, port) > 0.5 * from_state ? port : offset, p.H, out.innovation_rad, from_state,
-               out.noise);
+    set_offset(P_(port, port) > 0.5 * from_state ? port : offset, out.innovation_rad, from_state, out.noise);
     out.fate = Fate::kOffsetSet;
   } else if (squared(out.innovation_rad) > squared(gate_sigmas) * out.variance) {
     out.fate = Fate::kRejected;

@@ -169,7 +169,7 @@ class JointFilter {
   void begin_echoes(int j);
   [[nodiscard]] double echo_variance(int echo) const;
   void age_echoes(double frequency_hz);
-  void set_offset(int j, const SparseRow& H, double innovation, double from_state, double noise);
+  void set_offset(int j, double innovation, double from_state, double noise);
 
   const PhaseReaderModel& model_;
   WheelModel wheels_;

@@ -1,30 +1,15 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <gtest/gtest.h>
-
-#include <cctype>
 #include <filesystem>
 #include <fstream>
 #include <string>
 #include <vector>
 
+#include "tests/robot/output/temporary_folder.hpp"
 #include "twin/scene/map_import.hpp"
 
 namespace sensotwin::twin {
-
-/// A folder of its own for the running test, empty, under the build's folder.
-inline std::filesystem::path test_folder() {
-  const auto* test = testing::UnitTest::GetInstance()->current_test_info();
-  std::string name = std::string(test->test_suite_name()) + "." + test->name();
-  for (char& c : name) {
-    c = std::isalnum(static_cast<unsigned char>(c)) != 0 ? c : '_';
-  }
-  const std::filesystem::path folder = std::filesystem::path("scene_tests") / name;
-  std::filesystem::remove_all(folder);
-  std::filesystem::create_directories(folder);
-  return folder;
-}
 
 inline void save(const std::filesystem::path& file, const std::string& bytes) {
   std::ofstream(file, std::ios::binary) << bytes;
@@ -48,7 +33,7 @@ inline const std::string kMapYaml =
 
 /// The map of a drawing, with `map_yaml` beside it.
 inline OccupancyMap drawn_map(const std::vector<std::string>& rows, const std::string& map_yaml = kMapYaml) {
-  const std::filesystem::path folder = test_folder();
+  const TemporaryFolder folder;
   save(folder / "map.pgm", drawn(rows));
   save(folder / "map.yaml", map_yaml);
   return read_map(folder / "map.yaml");

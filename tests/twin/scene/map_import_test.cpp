@@ -11,7 +11,7 @@ namespace {
 
 /// What reading a map of this YAML, beside the picture `bytes`, ends in; the folder's name is cut out.
 std::string map_message(const std::string& map_yaml, const std::string& bytes, int& exit_code) {
-  const std::filesystem::path folder = test_folder();
+  const TemporaryFolder folder;
   save(folder / "map.pgm", bytes);
   save(folder / "map.yaml", map_yaml);
   exit_code = 0;
@@ -21,7 +21,7 @@ std::string map_message(const std::string& map_yaml, const std::string& bytes, i
   } catch (const robot::LoadError& error) {
     exit_code = error.exit_code();
     std::string text = error.what();
-    const std::string name = folder.string() + "/";
+    const std::string name = folder.path().string() + "/";
     for (std::size_t at = text.find(name); at != std::string::npos; at = text.find(name)) {
       text.erase(at, name.size());
     }
@@ -167,7 +167,7 @@ TEST(MapImport, ReportsAPictureGivenInPlaceOfTheMap) {
 }
 
 TEST(MapImport, MakesASceneWhoseErrorsNameTheMapsFile) {
-  const std::filesystem::path folder = test_folder();
+  const TemporaryFolder folder;
   save(folder / "map.yaml", edited(kMapYaml, "0.5", "nan"));
   try {
     (void)read_scene_text("version: 1\nseed: 1\nworld: { map: { file: map.yaml } }\ntime_limit_s: 0\n",
@@ -182,7 +182,7 @@ TEST(MapImport, MakesASceneWhoseErrorsNameTheMapsFile) {
 }
 
 TEST(MapImport, RefusesAMapWithoutFloor) {
-  const std::filesystem::path folder = test_folder();
+  const TemporaryFolder folder;
   save(folder / "map.pgm", drawn({"##", "??"}));
   save(folder / "map.yaml", kMapYaml);
   try {
@@ -195,7 +195,7 @@ TEST(MapImport, RefusesAMapWithoutFloor) {
 }
 
 TEST(MapImport, CarpetsTheFloorAndStartsOnIt) {
-  const std::filesystem::path folder = test_folder();
+  const TemporaryFolder folder;
   save(folder / "map.pgm", drawn({"######", "#....#", "#..?.#", "#....#", "######"}));
   save(folder / "map.yaml", kMapYaml);
   const Scene scene =

@@ -6,6 +6,7 @@
 #include <fstream>
 
 #include "scene_texts.hpp"
+#include "tests/robot/output/temporary_folder.hpp"
 #include "twin/scene/scene_writer.hpp"
 #include "world/radio/profiles.hpp"
 
@@ -125,9 +126,11 @@ TEST(PhaseScene, TakesSetsByWordByTwoNumbersAndCornerByCorner) {
 }
 
 TEST(PhaseScene, ReadsAProfileThatTwinCalibrateWrote) {
-  std::ofstream("reader.yaml") << "# Fitted.\nradio:\n  profile: impinj_r420\n  phase_sign: -1\n"
-                                  "  noise_law: rssi\n  noise_floor_rad: 0.011\n  noise_scale: 9\n";
-  const Scene scene = read_scene_text(edited(kTagScene, "profile: paper", "file: reader.yaml"), "s.yaml");
+  const TemporaryFolder folder;
+  std::ofstream(folder / "reader.yaml") << "# Fitted.\nradio:\n  profile: impinj_r420\n  phase_sign: -1\n"
+                                           "  noise_law: rssi\n  noise_floor_rad: 0.011\n  noise_scale: 9\n";
+  const Scene scene =
+      read_scene_text(edited(kTagScene, "profile: paper", "file: reader.yaml"), folder / "s.yaml");
   EXPECT_EQ(scene.world.radio->radio.profile, "impinj_r420");
   EXPECT_EQ(scene.world.radio->radio.noise_floor_rad, 0.011);
   EXPECT_EQ(scene.world.radio->radio.noise_scale, 2.0) << "the scene's own key goes before the file's";

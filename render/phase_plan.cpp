@@ -85,6 +85,39 @@ void paint_walls(const Plan& plan) {
   }
 }
 
+void paint_furniture(const Plan& plan) {
+  const double u = plan.u;
+  for (const FurnitureView& piece : plan.view.furniture) {
+    std::vector<Vec2> rim = plan.pixels(footprint(piece));
+    if (rim.empty()) {
+      continue;
+    }
+    const bool solid = piece.kind == FurnitureKind::kSolid;
+    plan.canvas.fill(rim, palette::kFurniture.with_alpha(solid ? 255 : 110));
+    rim.push_back(rim.front());
+    plan.canvas.line(rim, {2.0 * u, palette::kFurnitureEdge, solid ? 0.0 : 7.0 * u});
+    if (piece.kind == FurnitureKind::kLegs) {
+      for (const CircleView& leg : piece.circles) {
+        plan.canvas.disc(plan.X.pixel(leg.center_m), std::max(leg.radius_m * plan.px_per_m, 3.0 * u),
+                         palette::kFurnitureEdge);
+      }
+    }
+  }
+}
+
+/// Their ways below their bodies, which stand where they come.
+void paint_people(const Plan& plan) {
+  for (const PersonView& person : plan.view.people) {
+    plan.canvas.line(plan.pixels(person.path_m), {2.6 * plan.u, palette::kGreen, 9.0 * plan.u});
+  }
+  for (const PersonView& person : plan.view.people) {
+    if (!person.path_m.empty()) {
+      paint_person(plan.canvas, plan.X.pixel(person.path_m.front()),
+                   std::max(person.radius_m * plan.px_per_m, 7.0 * plan.u), plan.u);
+    }
+  }
+}
+
 /// Metres along both sides, light lines across.
 void paint_axes(const Plan& plan) {
   const RectPx& plot = plan.plot;
@@ -241,6 +274,12 @@ void paint_marks(const Plan& plan) {
   for (const WallView& wall : plan.view.walls) {
     placer.avoid(wall_px(plan, wall));
   }
+  for (const FurnitureView& piece : plan.view.furniture) {
+    placer.avoid(plan.pixels(footprint(piece)));
+  }
+  for (const PersonView& person : plan.view.people) {
+    placer.avoid(plan.pixels(person.path_m));
+  }
   return placer;
 }
 
@@ -291,6 +330,8 @@ Projection paint_plan(Canvas& canvas, const PhaseRunView& view, const RectPx& pl
   paint_axes(plan);
   canvas.clip(plot);
   paint_walls(plan);
+  paint_furniture(plan);
+  paint_people(plan);
   paint_estimates(plan);
   paint_driven(plan);
   canvas.line(ideal_px(plan), {2.2 * u, palette::kInk, 11.0 * u});

@@ -58,9 +58,10 @@ void check_estimates(const PhaseRunView& view, FirstFault& find) {
 }  // namespace
 
 std::optional<RenderError> first_fault(const PhaseRunView& view) {
-  // Walls, tags and path lie under the limits of every scene picture.
+  // Walls, furniture, tags and path lie under the limits of every scene picture.
   SceneView scene;
   scene.walls = view.walls;
+  scene.furniture = view.furniture;
   scene.trajectory = view.driven;
   scene.cliffs_m.push_back(view.ideal_m);
   scene.start = view.start;
@@ -78,6 +79,12 @@ std::optional<RenderError> first_fault(const PhaseRunView& view) {
   for (std::size_t i = 0; i < view.errors.size(); ++i) {
     find.number(view.errors[i].t_s, "error", i);
     find.number(view.errors[i].error_m, "error", i);
+  }
+  for (std::size_t i = 0; i < view.people.size(); ++i) {
+    for (const Vec2& p : view.people[i].path_m) {
+      find.point(p, "person", i);
+    }
+    find.not_negative(view.people[i].radius_m, "radius of person", i);
   }
   check_estimates(view, find);
   for (const auto& figure : {view.rmse_m, view.bound_m, view.paper_rmse_m}) {
@@ -130,8 +137,12 @@ std::optional<RenderError> first_fault(const FuzzyControllerView& view) {
 Extent extent_of(const PhaseRunView& view) {
   SceneView scene;
   scene.walls = view.walls;
+  scene.furniture = view.furniture;
   scene.trajectory = view.driven;
   scene.cliffs_m.push_back(view.ideal_m);
+  for (const PersonView& person : view.people) {
+    scene.cliffs_m.push_back(person.path_m);
+  }
   for (const PhaseTagView& tag : view.tags) {
     scene.ceiling_tags.push_back({tag.at_m, 0.0, ""});
   }

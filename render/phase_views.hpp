@@ -47,7 +47,13 @@ enum class PathColoring : std::uint8_t {
   kSegment,  ///< one colour for each segment in turn
 };
 
-/// A run along ceiling tags: Gueaieb & Miah, figures 9, 11 and 13.
+/// Somebody who stands or walks in the way, as a disc.
+struct PersonView {
+  std::vector<Vec2> path_m;  ///< where they come, and on; of one point: they stand there
+  double radius_m{0.22};
+};
+
+/// A run along ceiling tags (Gueaieb & Miah, figures 9, 11 and 13), or through hallways.
 struct PhaseRunView {
   std::string title;
   std::string subtitle;  ///< figures, in words; may be empty
@@ -55,6 +61,8 @@ struct PhaseRunView {
   std::uint64_t seed{0};
 
   std::vector<WallView> walls;
+  std::vector<FurnitureView> furniture;
+  std::vector<PersonView> people;
   std::vector<PhaseTagView> tags;
   std::string tags_are{"ceiling tag"};  ///< in the legend
   std::vector<Vec2> ideal_m;            ///< corners of the polyline, or close points of a curve

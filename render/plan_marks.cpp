@@ -16,6 +16,30 @@ namespace {
   return {Vec2{c.x() + r, c.y()}, Vec2{c.x(), c.y() + r}, Vec2{c.x() - r, c.y()}, Vec2{c.x(), c.y() - r}};
 }
 
+/// What stands about, and who walks.
+void add_scenery(std::vector<FlowItem>& items, const PhaseRunView& view) {
+  if (!view.walls.empty()) {
+    items.push_back(
+        {"wall", [](Canvas& canvas, const Vec2& c, double u) {
+           canvas.line(c - Vec2{18.0, 0.0} * u, c + Vec2{18.0, 0.0} * u, {5.0 * u, palette::kWall, 0.0});
+         }});
+  }
+  if (!view.furniture.empty()) {
+    items.push_back({"furniture", [](Canvas& canvas, const Vec2& c, double u) {
+                       const RectPx box{c.x() - 14.0 * u, c.y() - 10.0 * u, 28.0 * u, 20.0 * u};
+                       canvas.fill(box, palette::kFurniture);
+                       canvas.outline(box, {2.0 * u, palette::kFurnitureEdge, 0.0});
+                     }});
+  }
+  if (!view.people.empty()) {
+    items.push_back(
+        {"person, and their way", [](Canvas& canvas, const Vec2& c, double u) {
+           canvas.line(c - Vec2{10.0, 0.0} * u, c + Vec2{22.0, 0.0} * u, {2.6 * u, palette::kGreen, 7.0 * u});
+           paint_person(canvas, c - Vec2{10.0, 0.0} * u, 8.0 * u, u);
+         }});
+  }
+}
+
 }  // namespace
 
 void paint_diamond(Canvas& canvas, const Vec2& c, double u, bool missing) {
@@ -50,6 +74,11 @@ void paint_robot(Canvas& canvas, const Vec2& c, double radius_px, const Vec2& he
   canvas.fill(std::array{Vec2(c + 0.72 * r * heading_px), Vec2(c - 0.36 * r * heading_px + 0.48 * r * aside),
                          Vec2(c - 0.14 * r * heading_px), Vec2(c - 0.36 * r * heading_px - 0.48 * r * aside)},
               palette::kOrange);
+}
+
+void paint_person(Canvas& canvas, const Vec2& c, double radius_px, double u) {
+  canvas.disc(c, radius_px + 2.5 * u, palette::kPaper);
+  canvas.disc(c, radius_px, palette::kGreen);
 }
 
 void paint_cross(Canvas& canvas, const Vec2& c, double u) {
@@ -110,11 +139,7 @@ std::vector<FlowItem> plan_legend(const PhaseRunView& view) {
                        paint_cross(canvas, c, 0.7 * u);
                      }});
   }
-  if (!view.walls.empty()) {
-    items.push_back({"wall", [half](Canvas& canvas, const Vec2& c, double u) {
-                       canvas.line(c - half * u, c + half * u, {5.0 * u, palette::kWall, 0.0});
-                     }});
-  }
+  add_scenery(items, view);
   if (view.start) {
     items.push_back({"start", [](Canvas& canvas, const Vec2& c, double u) {
                        paint_start(canvas, c - Vec2{9.0, 0.0} * u, {1.0, 0.0}, 7.6 * u, 0.8 * u);

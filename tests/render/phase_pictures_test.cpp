@@ -64,6 +64,25 @@ TEST(PhasePlan, MarksTagsAndShowsMissingOnesHollow) {
   EXPECT_THAT(at(*picture, {10.0, 2.0}), ColorNear(palette::kPaper, 2));
 }
 
+TEST(PhasePlan, ShowsWhatStandsAboutAndWhoWalksWhereTheyCome) {
+  PhaseRunView view = straight();
+  FurnitureView box;
+  box.outline_m = {{3.0, -1.5}, {4.0, -1.5}, {4.0, -1.0}, {3.0, -1.0}};
+  FurnitureView table;
+  table.kind = FurnitureKind::kLegs;
+  table.circles = {{{6.0, -1.8}, 0.05}, {{7.0, -1.8}, 0.05}, {{7.0, -1.0}, 0.05}, {{6.0, -1.0}, 0.05}};
+  view.furniture = {box, table};
+  view.people = {{{{2.0, 1.5}, {9.0, 1.5}}, 0.22}};
+  const auto picture = draw_phase_plan(view, kReadme_px);
+  ASSERT_TRUE(picture);
+  EXPECT_THAT(at(*picture, {3.5, -1.25}), ColorNear(palette::kFurniture, 2));
+  const Rgba veiled = mix(palette::kPaper, palette::kFurniture, 110.0 / 255.0);
+  EXPECT_THAT(at(*picture, {6.5, -1.3}), ColorNear(veiled, 3)) << "the robot drives between the legs";
+  EXPECT_THAT(at(*picture, {7.0, -1.0}), ColorNear(palette::kFurnitureEdge, 8));
+  EXPECT_THAT(at(*picture, {2.0, 1.5}), ColorNear(palette::kGreen, 2));
+  EXPECT_THAT(at(*picture, {2.3, 1.7}), ColorNear(palette::kPaper, 2)) << "no larger than they are";
+}
+
 TEST(PhasePlan, DrawsTheLastEllipseTrueToScale) {
   PhaseRunView view = straight();
   Eigen::Matrix2d covariance;

@@ -10,9 +10,9 @@
 #include "twin/run/hallway_twin.hpp"
 #include "twin/run/mission_loop.hpp"
 #include "twin/run/run_parts.hpp"
+#include "twin/run/scene_views.hpp"
 #include "twin/run/twin_journal.hpp"
 #include "twin/run/twin_tap.hpp"
-#include "twin/scene/floor_plan.hpp"
 
 namespace sensotwin::twin {
 namespace {
@@ -29,27 +29,14 @@ std::string figures_in_words(const HallwayResult& result) {
 /// The way driven through the building, places and hallways of the map beneath it.
 render::PhaseRunView view_of(const Scene& scene, const HallwayTwin& twin, const HallwayRecorder& recorder,
                              const HallwayResult& result) {
-  render::PhaseRunView view;
-  view.title = scene.title;
+  render::PhaseRunView view = plan_of(scene, twin.world().X_WF());
   view.subtitle = figures_in_words(result);
-  view.scene = scene.name;
-  view.seed = scene.seed;
-  for (const world::Wall& wall : scene.world.walls) {
-    view.walls.push_back({wall.points_m, wall.closed});
-  }
-  for (const world::Furniture& piece : scene.world.furniture) {
-    if (piece.shape == world::FurnitureShape::kBox || piece.shape == world::FurnitureShape::kPolygon) {
-      view.walls.push_back({footprint_m(piece), true});
-    }
-  }
   for (const robot::HallwayNode& node : scene.hallways.map.nodes()) {
     view.tags.push_back({node.name, *node.at_m, false});
   }
   view.tags_are = "place";
   view.driven = recorder.driven();
-  view.start = scene.robot.X_WR_start;
   view.end = twin.world().X_WR();
-  view.robot_radius_m = scene.robot.base.radius_m;
   return view;
 }
 

@@ -124,22 +124,14 @@ class PhasePainter {
   }
 
   [[nodiscard]] render::PhaseRunView run_view() const {
-    render::PhaseRunView view;
-    view.title = scene_.title;
+    render::PhaseRunView view = plan_of(scene_, twin_.world().X_WF());
     view.subtitle = figures();
-    view.scene = scene_.name;
-    view.seed = scene_.seed;
-    for (const world::Wall& wall : scene_.world.walls) {
-      view.walls.push_back({wall.points_m, wall.closed});
-    }
     for (const world::CeilingTag& tag : scene_.world.radio->tags) {
       view.tags.push_back({tag.name, tag.at_m, !tag.present});
     }
     view.ideal_m = recorder_.path().points_m();
     view.driven = recorder_.driven();
-    view.start = scene_.robot.X_WR_start;
     view.end = twin_.world().X_WR();
-    view.robot_radius_m = scene_.robot.base.radius_m;
     view.segments = recorder_.segments();
     view.errors = recorder_.errors();
     view.rmse_m = result_.rmse_m;

@@ -3,6 +3,7 @@
 
 #include <array>
 #include <string_view>
+#include <utility>
 
 namespace sensotwin::twin {
 namespace {
@@ -107,6 +108,22 @@ render::SceneView view_of(const Scene& scene, std::span<const world::Tag> tags,
   view.start = scene.robot.X_WR_start;
   view.ceiling_m = scene.world.ceiling_m;
   view.north_yaw_rad = scene.world.north_yaw_rad;
+  return view;
+}
+
+render::PhaseRunView plan_of(const Scene& scene, std::span<const world::Pose2> X_WF) {
+  render::SceneView scenery = view_of(scene, {}, X_WF);
+  render::PhaseRunView view;
+  view.title = scene.title;
+  view.scene = scene.name;
+  view.seed = scene.seed;
+  view.walls = std::move(scenery.walls);
+  view.furniture = std::move(scenery.furniture);
+  for (const world::Person& person : scene.world.people) {
+    view.people.push_back({person.path_m, person.radius_m});
+  }
+  view.start = scene.robot.X_WR_start;
+  view.robot_radius_m = scene.robot.base.radius_m;
   return view;
 }
 

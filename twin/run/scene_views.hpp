@@ -3,6 +3,7 @@
 
 #include <span>
 
+#include "render/phase_views.hpp"
 #include "render/views.hpp"
 #include "twin/scene/scene.hpp"
 #include "world/tag_field.hpp"
@@ -14,6 +15,9 @@ namespace sensotwin::twin {
 /// visited yet.
 [[nodiscard]] render::SceneView view_of(const Scene& scene, std::span<const world::Tag> tags,
                                         std::span<const world::Pose2> X_WF);
+
+/// What of a scene a run along tags is drawn on: walls, furniture where `X_WF` says, people, start.
+[[nodiscard]] render::PhaseRunView plan_of(const Scene& scene, std::span<const world::Pose2> X_WF);
 
 /// Middle of a carpet tile in W.
 [[nodiscard]] world::Vec2 tile_centre_m(const world::Carpet& carpet, int column, int row);

@@ -12,8 +12,8 @@
 
 #include "faulty_link.hpp"
 #include "robot/base/geometry.hpp"
-#include "robot/drivers/sensor_board.hpp"
 #include "robot/drivers/roomba.hpp"
+#include "robot/drivers/sensor_board.hpp"
 #include "robot/drivers/uhf_reader.hpp"
 #include "robot/hal/no_device.hpp"
 #include "robot/program/mode_keeper.hpp"

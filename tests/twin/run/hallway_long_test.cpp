@@ -34,8 +34,8 @@ TEST_P(HallwaysOf, AreGoneFromEveryPlaceToEveryOther) {
 TEST_P(HallwaysOf, AreGoneThoughATagInTenIsMissed) {
   const HallwayTally tally = all({"robot.floor_reader.missed_share=0.1"});
   EXPECT_EQ(tally.arrived, tally.runs);
-  // Who takes a place by the sonars stands less exactly in it. In the basement that leads beside a pillar, and
-  // past a corner between two cones: the bumper touches what no rangefinder sees.
+  // Who takes a place by the sonars stands less exactly in it. In the basement that leads beside a pillar,
+  // and past a corner between two cones: the bumper touches what no rangefinder sees.
   EXPECT_LE(tally.contacts, 0.01 * tally.runs);
   EXPECT_GT(tally.missed, 0);
   EXPECT_LT(tally.length_m / tally.shortest_m, 1.05);

@@ -151,8 +151,9 @@ Rendered<PhasePicture> draw_estimates_sheet(const PhaseRunView& view, int width_
   ChartRange span{view.estimates.front().t_s, view.estimates.back().t_s};
   PhasePicture picture;
   for (std::size_t i = 0; i < all.size(); ++i) {
+    const std::size_t row = i / columns;
     const RectPx box{48.0 * u + static_cast<double>(i % columns) * (side + gap),
-                     top + static_cast<double>(i / columns) * row_height + 38.0 * u, side, side};
+                     top + static_cast<double>(row) * row_height + 38.0 * u, side, side};
     paint_tag(canvas, all[i], box, px_per_m, span, u);
     paint_caption(canvas, all[i], box, u);
     // The last panel tells where W is.

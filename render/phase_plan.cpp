@@ -165,6 +165,7 @@ void paint_driven(const Plan& plan) {
   const std::vector<TimedPoint> path = thinned(plan.view.driven, 0.5 / plan.px_per_m);
   const RunColors colors(plan.view);
   std::vector<Vec2> line;
+  line.reserve(path.size());
   for (const TimedPoint& point : path) {
     line.push_back(plan.X.pixel(point.p_m));
   }

@@ -274,7 +274,7 @@ void paint_scale(Canvas& canvas, PhasePicture& picture, const Vec2& from, double
 namespace phase {
 
 Panel paint_error(Canvas& canvas, const PhaseRunView& view, const RectPx& plot, double u) {
-  const Panel panel = error_panel(view, plot, u);
+  Panel panel = error_panel(view, plot, u);
   if (view.rmse_m) {
     const double top = panel.pixel({0.0, 100.0 * *view.rmse_m}).y();
     const double bottom = panel.pixel({0.0, -100.0 * *view.rmse_m}).y();

@@ -326,6 +326,14 @@ double World::compass_heading_rad() {
   return state_->compass.read_heading_rad(X_WR());
 }
 
+std::vector<Disc> World::people() const {
+  std::vector<Disc> discs;
+  for (const Outline& outline : state_->people.outlines()) {
+    discs.insert(discs.end(), outline.discs.begin(), outline.discs.end());
+  }
+  return discs;
+}
+
 std::vector<std::optional<double>> World::sonar_ranges_m() {
   State& s = *state_;
   if (!s.sonar) {

@@ -9,6 +9,7 @@
 
 #include "robot/base/random.hpp"
 #include "world/description.hpp"
+#include "world/obstacles.hpp"
 #include "world/roomba_io.hpp"
 #include "world/tag_field.hpp"
 
@@ -48,6 +49,8 @@ class World {
   /// One pose for each piece of furniture, in the order of the description. Valid until the next tick.
   [[nodiscard]] std::span<const Pose2> X_WF() const;
   [[nodiscard]] const ContactCounts& contacts() const;
+  /// Who walks or stands about now, in W.
+  [[nodiscard]] std::vector<Disc> people() const;
 
   /// Tags as they are and where they are now. Valid until the next tick.
   [[nodiscard]] std::span<const Tag> tags() const;

@@ -60,7 +60,7 @@ PlanRequest request_for(const Vec2& start, const Vec2& goal, double goal_radius_
 std::vector<Vec2> TileMover::way(const Vec2& start_M_m, Tile target) const {
   const Vec2 goal = navigator_.centre_m(target);
   for (const double margin_m : {kNear_m, kFar_m}) {
-    const auto corners = plan_over_floor(
+    auto corners = plan_over_floor(
         navigator_.floor(),
         request_for(start_M_m, goal, config_.read_radius_m - inside_m_, margin_m, clearance_m_));
     if (!corners.empty()) {

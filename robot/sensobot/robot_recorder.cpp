@@ -131,7 +131,7 @@ std::string RobotRecorder::finish(RobotProgram& program, const RunFigures& figur
                      {"latest_step_s", figures.latest_step_s},
                      {"journal_bytes", figures.journal_bytes},
                      {"journal_complete", figures.journal_complete}};
-  const std::string text = summary.dump(2) + "\n";
+  std::string text = summary.dump(2) + "\n";
   folder_.write("summary.json", text);
   return text;
 }

@@ -21,13 +21,13 @@ constexpr std::array<std::string_view, 3> kOrderWords{"go_on", "exchange", "stop
 /// As robot/mapping spells them, in the order of the enumeration. Made when first asked for, so that it is
 /// there for whoever reads or writes a scene before main, in whatever order static objects are made.
 std::span<const std::string_view> explorer_words() {
-  static const auto kWords = [] {
-    std::array<std::string_view, kExplorerKinds.size()> words;
-    std::transform(kExplorerKinds.begin(), kExplorerKinds.end(), words.begin(),
+  static const auto words = [] {
+    std::array<std::string_view, kExplorerKinds.size()> all;
+    std::transform(kExplorerKinds.begin(), kExplorerKinds.end(), all.begin(),
                    [](ExplorerKind kind) { return name_of(kind); });
-    return words;
+    return all;
   }();
-  return kWords;
+  return words;
 }
 
 void trapezoid(FieldVisitor& v, const Field& field, Trapezoid& set) {

@@ -65,7 +65,7 @@ void ProgramTap::after_step(Instant now, const MappingProgram& program) {
                               {"metres", program.mission().navigator().filter().path_length_m()},
                               {"done", program.done()}});
     append_links(body, program);
-    publish("status", "status", std::move(body));
+    publish("status", "status", body);
   }
 }
 
@@ -103,7 +103,7 @@ void ProgramTap::show_tile(const Tile& tile, const ShownTile& shown, TagUid tag)
       append_json_fields(body, {{"t", found->second}});
     }
   }
-  publish("tile/" + std::to_string(tile.column) + "," + std::to_string(tile.row), "tile", std::move(body));
+  publish("tile/" + std::to_string(tile.column) + "," + std::to_string(tile.row), "tile", body);
 }
 
 void ProgramTap::after_step(Instant now, const HallwayProgram& program) {
@@ -111,7 +111,7 @@ void ProgramTap::after_step(Instant now, const HallwayProgram& program) {
   if (std::exchange(changed_, false)) {
     show_places(program);
   }
-  if (pose_turn_.is_now()) {
+  if (believed_.turn.is_now()) {
     show_way(program);
   }
   if (status_is_due(now, program.done())) {
@@ -121,7 +121,7 @@ void ProgramTap::after_step(Instant now, const HallwayProgram& program) {
                               {"done", program.done()},
                               {"arrived", program.arrived()}});
     append_links(body, program);
-    publish("status", "status", std::move(body));
+    publish("status", "status", body);
   }
 }
 
@@ -148,7 +148,7 @@ void ProgramTap::show_places(const HallwayProgram& program) {
       body += "]}";
     }
     body += '}';
-    publish_changed("place/" + node.name, "place", std::move(body));
+    publish_changed("place/" + node.name, "place", body);
   }
 }
 
@@ -172,7 +172,7 @@ void ProgramTap::show_way(const HallwayProgram& program) {
       append_json_fields(body, {{"to", program.map().node(*status.heading_for).name}});
     }
   }
-  publish_changed("way", "way", std::move(body));
+  publish_changed("way", "way", body);
 }
 
 void ProgramTap::after_step(Instant now, const PhaseProgram& program) {
@@ -193,13 +193,13 @@ void ProgramTap::after_step(Instant now, const PhaseProgram& program) {
                             {"arrived", program.arrived()},
                             {"reads", static_cast<std::int64_t>(program.uhf_reader().health().reads)}});
   append_links(body, program);
-  publish("status", "status", std::move(body));
+  publish("status", "status", body);
   if (const CeilingMission* ceiling = program.ceiling()) {
     show_ceiling(*ceiling);
     const Eigen::Matrix3d covariance = ceiling->estimator().pose_covariance();
     body.clear();
     append_json_fields(body, {{"xx", covariance(0, 0)}, {"xy", covariance(0, 1)}, {"yy", covariance(1, 1)}});
-    publish_changed("sure", "sure", std::move(body));
+    publish_changed("sure", "sure", body);
   }
 }
 
@@ -217,7 +217,7 @@ void ProgramTap::show_ceiling(const CeilingMission& mission) {
                               {"xy", tag.covariance_m2(0, 1)},
                               {"yy", tag.covariance_m2(1, 1)},
                               {"kept", tag.knowledge == TagKnowledge::kKept}});
-    publish_changed("ceiling/" + card_.destinations[i], "ceiling", std::move(body));
+    publish_changed("ceiling/" + card_.destinations[i], "ceiling", body);
   }
 }
 

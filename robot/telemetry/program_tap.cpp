@@ -77,6 +77,9 @@ RobotCard card_of(const RobotSettings& settings, std::string name, std::string s
 
 ProgramTap::ProgramTap(TelemetryHub& hub, RobotCard card)
     : hub_(hub), card_(std::move(card)), prefix_(std::to_string(card_.id) + "/") {
+  if (card_.mission == "hallway" || card_.mission == "serve") {
+    true_.trail = "true_trail";  // no program tells of a pose
+  }
   std::string body;
   append_json_fields(body, {{"name", card_.name},
                             {"title", card_.title},
@@ -85,10 +88,10 @@ ProgramTap::ProgramTap(TelemetryHub& hub, RobotCard card)
                             {"tile_m", card_.tile_m},
                             {"radius_m", card_.radius_m},
                             {"goal", card_.goal}});
-  publish("robot", "robot", std::move(body));
+  publish("robot", "robot", body);
 }
 
-void ProgramTap::publish(std::string_view key, std::string_view kind, std::string body) {
+void ProgramTap::publish(std::string_view key, std::string_view kind, std::string_view body) {
   TelemetryMessage message;
   message.key = prefix_;
   message.key += key;
@@ -102,11 +105,11 @@ void ProgramTap::publish(std::string_view key, std::string_view kind, std::strin
   hub_.publish(std::move(message));
 }
 
-void ProgramTap::publish_changed(const std::string& key, std::string_view kind, std::string body) {
+void ProgramTap::publish_changed(const std::string& key, std::string_view kind, std::string_view body) {
   std::string& shown = shown_[key];
   if (shown != body) {
     shown = body;
-    publish(key, kind, std::move(body));
+    publish(key, kind, body);
   }
 }
 
@@ -123,7 +126,7 @@ void ProgramTap::heard(Instant now, std::string_view event, std::initializer_lis
     const auto* uid = std::get_if<std::string_view>(&tag->value);
     publish("object/" + std::string(uid != nullptr ? *uid : ""), "object", body);
   }
-  publish("event/" + std::to_string(number % kEventsKept), "event", std::move(body));
+  publish("event/" + std::to_string(number % kEventsKept), "event", body);
   if (const auto tile = tile_in(fields)) {
     if (event == "tile_found") {
       found_s_.emplace(*tile, to_s(now));
@@ -149,7 +152,7 @@ void ProgramTap::sense(Instant now, const RoombaState* fresh) {
                             {"bump_right", fresh->bump_right},
                             {"wheel_drop", fresh->wheel_drop_left || fresh->wheel_drop_right},
                             {"mode", fresh->mode ? name_of(*fresh->mode) : std::string_view{}}});
-  publish("base", "base", std::move(body));
+  publish("base", "base", body);
   if (fresh->capacity_mah > 0) {
     sample(now, "battery", 100.0 * fresh->charge_mah / fresh->capacity_mah);
   }
@@ -167,7 +170,7 @@ void ProgramTap::sample(Instant now, std::string_view series, double value) {
   append_json_fields(body, {{"of", series}, {"n", number}, {"t", to_s(now)}, {"v", value}});
   std::string key = "sample/";
   key.append(series).append("/").append(std::to_string(number));
-  publish(key, "sample", std::move(body));
+  publish(key, "sample", body);
 }
 
 bool ProgramTap::PoseTurn::is_now() {
@@ -179,31 +182,32 @@ bool ProgramTap::PoseTurn::is_now() {
   return true;
 }
 
-void ProgramTap::pose(Instant now, const Pose2& X_MR) {
-  if (!pose_turn_.is_now()) {
-    return;
+bool ProgramTap::show_pose(Track& track, Instant now, const Pose2& X) {
+  if (!track.turn.is_now()) {
+    return false;
   }
   std::string body;
-  append_json_fields(body,
-                     {{"t", to_s(now)}, {"x", X_MR.p_m.x()}, {"y", X_MR.p_m.y()}, {"yaw", X_MR.yaw_rad}});
-  publish("pose", "pose", body);
-  if (!last_point_m_ || (X_MR.p_m - *last_point_m_).norm() >= kPoint_m) {
-    last_point_m_ = X_MR.p_m;
-    const std::int64_t number = points_++;
+  append_json_fields(body, {{"t", to_s(now)}, {"x", X.p_m.x()}, {"y", X.p_m.y()}, {"yaw", X.yaw_rad}});
+  publish(track.kind, track.kind, body);
+  const bool far = !track.last_point_m || (X.p_m - *track.last_point_m).norm() >= kPoint_m;
+  if (far && !track.trail.empty()) {
+    track.last_point_m = X.p_m;
+    const std::int64_t number = track.points++;
     body.clear();
-    append_json_fields(body, {{"n", number}, {"x", X_MR.p_m.x()}, {"y", X_MR.p_m.y()}});
-    publish("trail/" + std::to_string(number % kPointsKept), "trail", std::move(body));
+    append_json_fields(body, {{"n", number}, {"x", X.p_m.x()}, {"y", X.p_m.y()}});
+    std::string key(track.trail);
+    key.append("/").append(std::to_string(number % kPointsKept));
+    publish(key, track.trail, body);
   }
+  return true;
 }
 
-void ProgramTap::truth(Instant now, const Pose2& X_WR) {
-  if (!truth_turn_.is_now()) {
-    return;
-  }
-  std::string body;
-  append_json_fields(body,
-                     {{"t", to_s(now)}, {"x", X_WR.p_m.x()}, {"y", X_WR.p_m.y()}, {"yaw", X_WR.yaw_rad}});
-  publish("truth", "truth", std::move(body));
+void ProgramTap::pose(Instant now, const Pose2& X_MR) {
+  show_pose(believed_, now, X_MR);
+}
+
+bool ProgramTap::truth(Instant now, const Pose2& X_WR) {
+  return show_pose(true_, now, X_WR);
 }
 
 bool ProgramTap::status_is_due(Instant now, bool done) {
@@ -218,7 +222,7 @@ bool ProgramTap::status_is_due(Instant now, bool done) {
 void ProgramTap::ended(Instant now, std::string_view outcome) {
   std::string body;
   append_json_fields(body, {{"t", to_s(now)}, {"outcome", outcome}});
-  publish("ended", "ended", std::move(body));
+  publish("ended", "ended", body);
 }
 
 }  // namespace sensotwin::robot

@@ -59,11 +59,14 @@ class ProgramTap {
 
   /// The base's last frame, where there is one that is new. Called by after_step().
   void sense(Instant now, const RoombaState* fresh);
-  /// A pose every 7 ticks, and the trail. \param kind  "pose": believed; "truth": a twin's
+  /// A pose every 7 ticks, and the trail: what the program believes.
   void pose(Instant now, const Pose2& X_MR);
-  void truth(Instant now, const Pose2& X_WR);
+  /// The same of a twin's truth; the trail, where a program believes no pose. \returns whether it was shown
+  bool truth(Instant now, const Pose2& X_WR);
   /// Anything else of this robot. \param key  in this robot's name space  \param body  `,"key":value` ...
-  void publish(std::string_view key, std::string_view kind, std::string body);
+  void publish(std::string_view key, std::string_view kind, std::string_view body);
+  /// The same, when it is not what was published last.
+  void publish_changed(const std::string& key, std::string_view kind, std::string_view body);
   /// A value over time, for a chart: at most one a second is kept, the last 4096 of them.
   void sample(Instant now, std::string_view series, double value);
 
@@ -76,6 +79,14 @@ class ProgramTap {
    private:
     int ticks_left_{0};
   };
+  /// Poses of one kind, and the points that they leave behind.
+  struct Track {
+    std::string_view kind;
+    std::string_view trail;  ///< kind of its points; empty: none are shown
+    PoseTurn turn{};
+    std::optional<Vec2> last_point_m{};
+    std::int64_t points{0};
+  };
   struct ShownTile {
     std::string state;
     unsigned blocked_sides{0};
@@ -83,6 +94,7 @@ class ProgramTap {
     bool operator==(const ShownTile&) const = default;
   };
 
+  bool show_pose(Track& track, Instant now, const Pose2& X);
   void show_tiles(const MappingProgram& program);
   void show_tile(const Tile& tile, const ShownTile& shown, TagUid tag);
   void show_places(const HallwayProgram& program);
@@ -90,8 +102,6 @@ class ProgramTap {
   void show_way(const HallwayProgram& program);
   /// Whatever stands on the page in figures: once a second, and when the mission is done.
   [[nodiscard]] bool status_is_due(Instant now, bool done);
-  /// Publishes it when it is not what was published last.
-  void publish_changed(const std::string& key, std::string_view kind, std::string body);
 
   TelemetryHub& hub_;
   RobotCard card_;
@@ -106,12 +116,10 @@ class ProgramTap {
   };
   std::map<std::string, Series, std::less<>> series_;
   bool changed_{true};
-  PoseTurn pose_turn_;
-  PoseTurn truth_turn_;
+  Track believed_{"pose", "trail"};
+  Track true_{"truth", ""};
   std::optional<double> status_s_;
   std::optional<double> base_s_;
-  std::optional<Vec2> last_point_m_;
-  std::int64_t points_{0};
   std::int64_t events_{0};
   bool done_{false};
 };

@@ -121,7 +121,7 @@ bool HallwayMap::lengths_known() const {
   return true;
 }
 
-NodeIndex HallwayMap::add(std::string name, std::optional<Vec2> at_m) {
+NodeIndex HallwayMap::add(std::string name, const std::optional<Vec2>& at_m) {
   assert(!find(name));
   HallwayNode node;
   node.name = std::move(name);

@@ -85,7 +85,7 @@ class HallwayMap {
   [[nodiscard]] bool lengths_known() const;
 
   /// \pre no node of that name
-  NodeIndex add(std::string name, std::optional<Vec2> at_m = std::nullopt);
+  NodeIndex add(std::string name, const std::optional<Vec2>& at_m = std::nullopt);
   /// A hallway from `a`, left on that side, to `b`, entered on the opposite side. What was on either side
   /// before is replaced, tags stay. \pre a != b, both sides lead nowhere else
   void connect(NodeIndex a, CompassPoint side, NodeIndex b, std::optional<double> length_m = std::nullopt);

@@ -107,7 +107,7 @@ double quantile(std::vector<double> values, double q) {
   return values[below] + (at - static_cast<double>(below)) * (values[above] - values[below]);
 }
 
-std::optional<Estimate> median_estimate(std::vector<double> values, int resamples,
+std::optional<Estimate> median_estimate(const std::vector<double>& values, int resamples,
                                         const robot::RandomStream& random) {
   return estimate_of(values, resamples, random,
                      [](const std::vector<double>& v) { return quantile(v, 0.5); });

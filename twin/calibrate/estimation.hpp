@@ -39,7 +39,7 @@ using Residuals = std::function<void(const Eigen::VectorXd& parameters, Eigen::V
 [[nodiscard]] double quantile(std::vector<double> values, double q);
 
 /// Median of the values with a bootstrap interval; nothing for fewer than five values.
-[[nodiscard]] std::optional<Estimate> median_estimate(std::vector<double> values, int resamples,
+[[nodiscard]] std::optional<Estimate> median_estimate(const std::vector<double>& values, int resamples,
                                                       const robot::RandomStream& random);
 /// Mean, likewise.
 [[nodiscard]] std::optional<Estimate> mean_estimate(const std::vector<double>& values, int resamples,

@@ -137,6 +137,7 @@ ListTopic variants_topic(std::vector<std::filesystem::path> folders) {
 ListTopic explorers_topic() {
   return {.name = "explorers", .summary = "orders in which the carpet's tiles are visited", .entries = [] {
             std::vector<ListEntry> entries;
+            entries.reserve(robot::kExplorerKinds.size());
             for (const robot::ExplorerKind kind : robot::kExplorerKinds) {
               entries.push_back({std::string(robot::name_of(kind)), std::string(summary_of(kind))});
             }

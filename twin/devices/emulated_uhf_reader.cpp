@@ -173,14 +173,13 @@ void EmulatedUhfReader::put(const llrp::Message& message, std::uint32_t id, robo
 void EmulatedUhfReader::put_or_lose(const llrp::Message& message, robot::Duration latency) {
   const bool is_report = std::holds_alternative<llrp::RoAccessReport>(message);
   tally_.reports += is_report ? 1 : 0;
-  if (!connected_ || closing_ || out_bytes_ > settings_.buffer_bytes) {
+  const bool full = holding_ && held_.size() >= settings_.buffer_bytes / 100;  // an entry has about 100 bytes
+  if (!connected_ || closing_ || full || out_bytes_ > settings_.buffer_bytes) {
     tally_.reports_lost += is_report ? 1 : 0;
-  } else if (!holding_) {
-    put(message, next_id_++, latency);
-  } else if (held_.size() < settings_.buffer_bytes / 100) {  // an entry has about 100 bytes
+  } else if (holding_) {
     held_.push_back(message);
   } else {
-    tally_.reports_lost += is_report ? 1 : 0;
+    put(message, next_id_++, latency);
   }
 }
 

@@ -74,7 +74,7 @@ llrp::LlrpStatus RoSpecRunner::add(const llrp::RoSpec& spec) {
     return refused_field_in(llrp::RoSpec::kType, 3, StatusCode::kInvalidField);
   }
   for (const llrp::AiSpec& ai_spec : spec.ai_specs) {
-    if (const auto status = check_ai_spec(ai_spec, settings_); !status.ok()) {
+    if (auto status = check_ai_spec(ai_spec, settings_); !status.ok()) {
       return status;
     }
   }

@@ -66,6 +66,7 @@ std::vector<std::size_t> route_of(const Scene& scene) {
 
 bool makes_a_circle(const Scene& scene, const std::vector<std::size_t>& route) {
   std::vector<robot::Vec2> places;
+  places.reserve(route.size());
   for (const std::size_t tag : route) {
     places.push_back(scene.world.radio->tags[tag].at_m);
   }

@@ -102,13 +102,27 @@ void show_scene(robot::ProgramTap& tap, const Scene& scene) {
     body += ",\"path\":";
     append_points(body, IdealPath(scene).points_m());
   }
-  tap.publish("scene", "scene", std::move(body));
+  tap.publish("scene", "scene", body);
 }
 
 void show_frame(robot::ProgramTap& tap, const robot::Pose2& X_WM) {
   std::string body;
   robot::append_json_fields(body, {{"x", X_WM.p_m.x()}, {"y", X_WM.p_m.y()}, {"yaw", X_WM.yaw_rad}});
-  tap.publish("frame", "frame", std::move(body));
+  tap.publish("frame", "frame", body);
+}
+
+void show_truth(robot::ProgramTap& tap, robot::Instant now, const world::World& world) {
+  if (!tap.truth(now, world.X_WR())) {
+    return;
+  }
+  std::string body = ",\"at\":[";
+  for (const world::Disc& person : world.people()) {
+    begin_item(body);
+    robot::append_json_fields(
+        body, {{"x", person.middle_m.x()}, {"y", person.middle_m.y()}, {"radius", person.radius_m}});
+    body += '}';
+  }
+  tap.publish_changed("people", "people", body + ']');
 }
 
 TwinTap::TwinTap(robot::TelemetryHub* hub, const Scene& scene, const robot::RobotSettings& settings)
@@ -141,7 +155,7 @@ void TwinTap::show_total(std::size_t tiles) {
   if (tap_) {
     std::string body;
     robot::append_json_fields(body, {{"tiles", tiles}});
-    tap_->publish("total", "total", std::move(body));
+    tap_->publish("total", "total", body);
   }
 }
 
@@ -150,7 +164,7 @@ void TwinTap::after_tick(const MappingTwin& twin) {
     return;
   }
   tap_->after_step(twin.now(), twin.program());
-  tap_->truth(twin.now(), twin.world().X_WR());
+  show_truth(*tap_, twin.now(), twin.world());
   if (!placed_ && twin.program().mission().map().visited_count() > 0) {
     placed_ = true;
     if (const auto placement = placement_of(scene_, twin)) {
@@ -164,7 +178,7 @@ void TwinTap::after_tick(const MappingTwin& twin) {
 void TwinTap::after_tick(const HallwayTwin& twin) {
   if (tap_) {
     tap_->after_step(twin.now(), twin.program());
-    tap_->truth(twin.now(), twin.world().X_WR());
+    show_truth(*tap_, twin.now(), twin.world());
   }
 }
 
@@ -173,7 +187,7 @@ void TwinTap::after_tick(const PhaseTwin& twin) {
     return;
   }
   tap_->after_step(twin.now(), twin.program());
-  tap_->truth(twin.now(), twin.world().X_WR());
+  show_truth(*tap_, twin.now(), twin.world());
   if (const auto error_m = path_->error_m(twin.program().leg(), twin.world().X_WR().p_m)) {
     constexpr double kCentimetres = 100.0;
     tap_->sample(twin.now(), "error_cm", kCentimetres * *error_m);

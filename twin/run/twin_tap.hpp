@@ -20,6 +20,9 @@ void show_scene(robot::ProgramTap& tap, const Scene& scene);
 /// Where M lies in W, so that the true room can be laid beneath what the robot believes.
 void show_frame(robot::ProgramTap& tap, const robot::Pose2& X_WM);
 
+/// The true pose; and, as often, who walks about.
+void show_truth(robot::ProgramTap& tap, robot::Instant now, const world::World& world);
+
 /// What a run in the twin shows on a monitor: what its program knows, as on the machine; and marked as such,
 /// what only a twin can know: the true room and the true pose.
 class TwinTap {

@@ -64,8 +64,8 @@ void link_to(const std::string& device, const fs::path& link) {
 
 }  // namespace
 
-PseudoTerminal::PseudoTerminal(fs::path link, int baud)
-    : link_(fs::absolute(std::move(link)).lexically_normal()),
+PseudoTerminal::PseudoTerminal(const fs::path& link, int baud)
+    : link_(fs::absolute(link).lexically_normal()),
       baud_(baud),
       master_(::posix_openpt(O_RDWR | O_NOCTTY | O_NONBLOCK | O_CLOEXEC)) {
   if (!master_) {

@@ -23,7 +23,7 @@ class PseudoTerminal {
  public:
   /// \param link  replaced when it is a symbolic link already  \param baud  that clients find set
   /// \throws ServeError
-  PseudoTerminal(std::filesystem::path link, int baud);
+  PseudoTerminal(const std::filesystem::path& link, int baud);
   /// Removes the link.
   ~PseudoTerminal();
   PseudoTerminal(const PseudoTerminal&) = delete;

@@ -27,7 +27,7 @@ void ServeTap::after_tick(const ServedTwin& twin) {
   if (!tap_) {
     return;
   }
-  tap_->truth(twin.now(), twin.machine().world().X_WR());
+  show_truth(*tap_, twin.now(), twin.machine().world());
   const world::RoombaInputs& inputs = twin.machine().inputs();
   if (inputs.battery_capacity_mah > 0.0) {
     constexpr double kPercent = 100.0;
@@ -53,7 +53,7 @@ void ServeTap::show(robot::Instant now, const ServeStatus& status) {
   std::string body;
   robot::append_json_fields(
       body, {{"t", status.sim_s}, {"rtf", status.factor}, {"mode", status.base_mode}, {"done", false}});
-  tap_->publish("status", "status", std::move(body));
+  tap_->publish("status", "status", body);
 }
 
 }  // namespace sensotwin::twin

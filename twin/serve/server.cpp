@@ -170,7 +170,7 @@ ServeStatus Server::run(const std::function<void(const ServeStatus&)>& show) {
       show(status);
     }
   }
-  const ServeStatus last = state.status();
+  ServeStatus last = state.status();
   robot::OutputFile file(state.folder.path() / "serve.json");
   file.append(to_json(last, state.scene, state.settings));
   file.finish();

@@ -59,9 +59,8 @@ void TerminalWire::take_from_client() {
       return;
     }
     tally_.bytes_in += size;
-    if (wrong_baud_ && options_.strict_baud) {
-      tally_.bytes_dropped += size;
-    } else if (!device_.write(robot::ByteView{chunk}.first(size))) {
+    const bool garbled = wrong_baud_ && options_.strict_baud;
+    if (garbled || !device_.write(robot::ByteView{chunk}.first(size))) {
       tally_.bytes_dropped += size;
     }
   }

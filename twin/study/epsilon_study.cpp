@@ -40,6 +40,7 @@ EpsilonCell reduce(const ObstacleCell& obstacles, const DriveTally* tallies, std
 
 PlaneFit fit_cells(const std::vector<EpsilonCell>& cells, EpsilonFigures EpsilonCell::*figures) {
   std::vector<std::array<double, 3>> points;
+  points.reserve(cells.size());
   for (const EpsilonCell& cell : cells) {
     points.push_back({static_cast<double>(cell.obstacles.blocked_percent),
                       static_cast<double>(cell.obstacles.chunks), (cell.*figures).mean_percent});

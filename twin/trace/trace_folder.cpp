@@ -111,7 +111,7 @@ std::filesystem::path TraceFolder::file(const std::string& name) const {
     throw TraceError(TraceError::kBadRequest,
                      fmt::format("'{}' is not the name of a file in this folder", name));
   }
-  const std::filesystem::path path = folder_ / name;
+  std::filesystem::path path = folder_ / name;
   std::error_code error;
   if (!std::filesystem::is_regular_file(path, error)) {
     throw TraceError(TraceError::kNotFound, fmt::format("there is no file '{}' in this folder", name));

@@ -48,7 +48,7 @@ Json document_of(const Json& request) {
 
 std::string name_in(const Json& request, const char* key) {
   const auto found = request.find(key);
-  const std::string name = found != request.end() && found->is_string() ? found->get<std::string>() : "";
+  std::string name = found != request.end() && found->is_string() ? found->get<std::string>() : "";
   if (!is_file_name(name)) {
     throw TraceError(
         TraceError::kBadRequest,
@@ -58,7 +58,7 @@ std::string name_in(const Json& request, const char* key) {
 }
 
 std::string hallways_file_in(const Json& request) {
-  const std::string name = name_in(request, "hallways_file");
+  std::string name = name_in(request, "hallways_file");
   if (!name.ends_with(".yaml") && !name.ends_with(".yml")) {
     throw TraceError(TraceError::kBadRequest, fmt::format("'{}': a hallway map's name ends in .yaml", name));
   }

@@ -118,8 +118,9 @@ constexpr std::array<std::pair<std::string_view, std::string_view>, 3> kBounded{
 std::string bounds_text(const Validation& validation) {
   std::string text;
   for (const auto& [figure, bound] : kBounded) {
-    const bool judged = std::any_of(validation.judged.begin(), validation.judged.end(),
-                                    [&](const JudgedThreshold& j) { return j.asked.figure == figure; });
+    const bool judged =
+        std::any_of(validation.judged.begin(), validation.judged.end(),
+                    [name = figure](const JudgedThreshold& j) { return j.asked.figure == name; });
     if (judged && !validation.runs.empty()) {
       const double bound_m = value_in(validation.runs.front(), std::string{bound});
       if (std::isfinite(bound_m)) {

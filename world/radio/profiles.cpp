@@ -16,6 +16,7 @@ constexpr double kFccStep_hz = 0.5e6;
 
 std::vector<double> shuffled_fcc_channels_hz(robot::RandomStream& random) {
   std::vector<double> channels_hz;
+  channels_hz.reserve(kFccChannels);
   for (int i = 0; i < kFccChannels; ++i) {
     channels_hz.push_back(kFccFirst_hz + kFccStep_hz * i);
   }

@@ -36,7 +36,8 @@ PathReference on_line(const Vec2& from_m, const Vec2& to_m, const Vec2& p_m) {
           .part = done_m / length_m};
 }
 
-SmoothLeg::SmoothLeg(std::optional<Vec2> p0_m, const Vec2& p1_m, const Vec2& p2_m, std::optional<Vec2> p3_m) {
+SmoothLeg::SmoothLeg(const std::optional<Vec2>& p0_m, const Vec2& p1_m, const Vec2& p2_m,
+                     const std::optional<Vec2>& p3_m) {
   const Vec2 p0 = p0_m.value_or(2.0 * p1_m - p2_m);
   const Vec2 p3 = p3_m.value_or(2.0 * p2_m - p1_m);
   // Knots a root of the chord apart (centripetal); tangents by finite differences over uneven knots, times

@@ -35,7 +35,8 @@ struct PathReference {
 class SmoothLeg {
  public:
   /// \pre p1_m != p2_m
-  SmoothLeg(std::optional<Vec2> p0_m, const Vec2& p1_m, const Vec2& p2_m, std::optional<Vec2> p3_m);
+  SmoothLeg(const std::optional<Vec2>& p0_m, const Vec2& p1_m, const Vec2& p2_m,
+            const std::optional<Vec2>& p3_m);
   [[nodiscard]] PathReference at(const Vec2& p_m) const;
   /// \param part  0 at p1, 1 at p2
   [[nodiscard]] Vec2 point_m(double part) const;

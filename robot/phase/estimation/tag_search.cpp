@@ -78,7 +78,8 @@ std::optional<TagSearch::Move> TagSearch::step(const WheelStep& way, std::option
       }
       to_turn_rad_ = bearing_rad();
       // Two sides of each length, as of a square spiral; towards a tag always the same.
-      to_drive_m_ = heard ? config_.piece_m : config_.piece_m * (1.0 + round_ / 2);
+      const int longer = heard ? 0 : round_ / 2;
+      to_drive_m_ = config_.piece_m * (1.0 + longer);
       phase_ = Phase::kFacing;
       return Move{};
     }

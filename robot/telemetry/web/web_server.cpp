@@ -52,12 +52,12 @@ void set_security_headers(httplib::Response& to) {
   }
 }
 
-void put(HttpResponse from, httplib::Response& to) {
+void put(const HttpResponse& from, httplib::Response& to) {
   to.status = from.status;
   for (const auto& [name, value] : from.headers) {
     to.set_header(name, value);
   }
-  to.set_content(std::move(from.body), from.type);
+  to.set_content(from.body, from.type);
 }
 
 /// httplib's server with our limits: a socket is served by a DeadlineStream, one request long.
@@ -231,7 +231,7 @@ void WebServer::State::route() {
   server.Put(".*", answer);
   server.set_post_routing_handler(
       [](const httplib::Request&, httplib::Response& to) { set_security_headers(to); });
-  server.set_exception_handler([](const httplib::Request&, httplib::Response& to, std::exception_ptr) {
+  server.set_exception_handler([](const httplib::Request&, httplib::Response& to, const std::exception_ptr&) {
     put({.status = 500, .body = "this could not be done\n"}, to);
   });
 }

@@ -31,7 +31,7 @@ class Writer {
     if constexpr (std::is_same_v<N, Epc>) {
       out_.insert(out_.end(), v.bytes.begin(), v.bytes.end());
     } else {
-      auto raw = static_cast<std::uint64_t>(v);
+      std::uint64_t raw = static_cast<std::make_unsigned_t<N>>(v);
       const std::size_t start = out_.size();
       out_.resize(start + sizeof(N));
       for (std::size_t i = sizeof(N); i-- > 0; raw >>= 8) {

@@ -48,7 +48,9 @@ export async function openBrowser(pages) {
       const page = await (options.touch ? await context.browser().newContext(phone) : context).newPage();
       const errors = [];
       page.on("pageerror", (error) => errors.push(String(error)));
-      page.on("console", (message) => message.type() === "error" && errors.push(message.text()));
+      // A page without an icon of its own, as that of a refusal, makes the browser ask for one when it likes.
+      const ofIcon = (message) => message.location().url.endsWith("/favicon.ico");
+      page.on("console", (message) => message.type() === "error" && !ofIcon(message) && errors.push(message.text()));
       if (options.viewport) {
         await page.setViewportSize(options.viewport);
       }

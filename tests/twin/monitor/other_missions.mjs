@@ -44,6 +44,15 @@ try {
     await page.waitForFunction(() => document.querySelector(".tag-title").textContent.startsWith("Place "));
   });
 
+  // What a robot that knows no metres cannot tell the twin does: its true way, and who is about.
+  await shown("people", ["run", "--variant", "people", "--no-pictures"], "office.yaml", "127.0.0.1:0", async (page, url) => {
+    await page.goto(url);
+    await untilEnded(page);
+    const { trail, trueTrail, people } = await page.evaluate(() => ({ ...document.querySelector("#plan").dataset }));
+    check(trail === "0" && Number(trueTrail) > 200 && people === "1", `trails of ${trail} and ${trueTrail} points, ${people} people`);
+    check((await page.locator(".legend li:visible").allTextContents()).includes("Person (twin only)"), "the legend does not know people");
+  });
+
   await shown("ceiling", ["run", "--variant", "own", "--no-pictures"], "hallway.yaml", "127.0.0.1:0", async (page, url) => {
     await page.goto(url);
     await untilEnded(page);

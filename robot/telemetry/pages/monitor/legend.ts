@@ -45,6 +45,8 @@ const rows: Row[] = [
   { words: "Another robot of this room", mark: swatch(["circle", { cx: "12", cy: "12", r: "9", class: "other" }], ["path", { d: "M10 8 L19 12 L10 16 Z", class: "nose" }]), shown: (_robot, _withRoom, others) => others },
   { words: "Robot's way, as it believes", mark: swatch(line("trail")), shown: (robot) => robot.card.mission === "map" || robot.card.mission === "phase" },
   { words: "Robot in truth (twin only)", mark: swatch(["circle", { cx: "12", cy: "12", r: "9", class: "truth" }]), shown: (robot, withRoom) => withRoom && robot.truth !== null },
+  { words: "Its true way (twin only)", mark: swatch(line("true-way")), shown: (robot, withRoom) => withRoom && robot.trueTrail.size > 0 },
+  { words: "Person (twin only)", mark: swatch(["circle", { cx: "12", cy: "12", r: "8", class: "person" }]), shown: (robot, withRoom) => withRoom && robot.people.length > 0 },
   { words: "True room (twin only)", mark: swatch(["rect", { x: "3", y: "6", width: "18", height: "12", class: "room" }]), shown: (robot, withRoom) => withRoom && robot.scene !== null },
   { words: "Ideal path, true ceiling tags (twin only)", mark: swatch(line("ideal", "16"), ["rect", { x: "8", y: "3", width: "8", height: "8", class: "true-tag" }]), shown: (robot, withRoom) => withRoom && (robot.scene?.ceiling.length ?? 0) > 0 },
 ];

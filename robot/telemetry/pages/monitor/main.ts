@@ -130,6 +130,8 @@ class Page {
     this.canvas.dataset["tiles"] = String(robot.tilesFound);
     this.canvas.dataset["events"] = String(robot.events.size);
     this.canvas.dataset["trail"] = String(robot.trail.size);
+    this.canvas.dataset["trueTrail"] = String(robot.trueTrail.size);
+    this.canvas.dataset["people"] = String(robot.people.length);
     this.refit();
     const pose = believedPose(robot);
     if (this.following && pose) {

@@ -93,6 +93,10 @@ export class Robot {
   truth: Pose | null = null;
   sure: { xx: number; xy: number; yy: number } | null = null;
   readonly trail = new Map<number, Point>();
+  /** Of a twin whose program believes no pose. */
+  readonly trueTrail = new Map<number, Point>();
+  /** Of a twin: who walks about. */
+  people: (Point & { radius: number })[] = [];
   readonly tiles = new Map<string, Tile>();
   readonly objects = new Map<string, LogEvent>();
   readonly places = new Map<string, Place>();
@@ -153,6 +157,11 @@ function text(of: Message, key: string): string {
 }
 function pose(of: Message): Pose {
   return { x: num(of, "x"), y: num(of, "y"), yaw: num(of, "yaw"), t: num(of, "t") };
+}
+
+function leave(trail: Map<number, Point>, of: Message): void {
+  trail.set(num(of, "n"), { x: num(of, "x"), y: num(of, "y") });
+  forgetOld(trail, num(of, "n"), trailKept);
 }
 
 export class Model {
@@ -217,9 +226,10 @@ const takers: Record<string, (robot: Robot, of: Message) => void> = {
   sure: (robot, of) => {
     robot.sure = { xx: num(of, "xx"), xy: num(of, "xy"), yy: num(of, "yy") };
   },
-  trail: (robot, of) => {
-    robot.trail.set(num(of, "n"), { x: num(of, "x"), y: num(of, "y") });
-    forgetOld(robot.trail, num(of, "n"), trailKept);
+  trail: (robot, of) => leave(robot.trail, of),
+  true_trail: (robot, of) => leave(robot.trueTrail, of),
+  people: (robot, of) => {
+    robot.people = of["at"] as Robot["people"];
   },
   tile: (robot, of) => {
     const key = `${num(of, "c")},${num(of, "w")}`;

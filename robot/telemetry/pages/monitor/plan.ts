@@ -161,8 +161,29 @@ function drawBlocked(context: Context, view: PlanView, { robot, theme, withRoom 
   }
 }
 
+function inOrder(trail: Map<number, Point>): Point[] {
+  return [...trail.entries()].sort(([a], [b]) => a - b).map(([, point]) => point);
+}
+
+/** What only a twin can know of those who move: the way of a robot that believes no pose, and people. */
+function drawTruth(context: Context, view: PlanView, { robot, theme }: PlanPicture): void {
+  context.lineJoin = "round";
+  context.lineCap = "round";
+  context.strokeStyle = theme.ink;
+  context.lineWidth = 1.5;
+  context.setLineDash([1, 4]);
+  planLine(context, view, inOrder(robot.trueTrail));
+  context.stroke();
+  context.setLineDash([]);
+  for (const person of robot.people) {
+    const r = Math.max(person.radius * view.scale, 4);
+    dot(context, view.toScreen(person), r + 1.5, theme.plan);
+    dot(context, view.toScreen(person), r, theme.landmark);
+  }
+}
+
 function drawTrail(context: Context, view: PlanView, { robot, theme }: PlanPicture): void {
-  const trail = [...robot.trail.entries()].sort(([a], [b]) => a - b).map(([, point]) => toPlan(robot, point));
+  const trail = inOrder(robot.trail).map((point) => toPlan(robot, point));
   if (trail.length < 2) {
     return;
   }
@@ -328,6 +349,7 @@ export function drawPlan(context: Context, view: PlanView, picture: PlanPicture)
   drawHallways(context, view, picture);
   drawTrail(context, view, picture);
   if (withRoom) {
+    drawTruth(context, view, picture);
     drawRoomNames(context, view, picture);
   }
   drawObjects(context, view, picture);

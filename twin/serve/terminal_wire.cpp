@@ -13,12 +13,9 @@ constexpr int kChunksAtOnce = 16;
 
 }  // namespace
 
-TerminalWire::TerminalWire(std::string name, std::filesystem::path link, robot::ByteLink& device,
+TerminalWire::TerminalWire(std::string name, const std::filesystem::path& link, robot::ByteLink& device,
                            TerminalWireOptions options)
-    : Wire(std::move(name)),
-      device_(device),
-      options_(std::move(options)),
-      terminal_(std::move(link), options_.baud) {}
+    : Wire(std::move(name)), device_(device), options_(std::move(options)), terminal_(link, options_.baud) {}
 
 void TerminalWire::do_watch(std::vector<pollfd>& handles) const {
   // Without a client the terminal would wake us all the time; whoever opens it is seen at the next tick.

@@ -28,7 +28,7 @@ struct TerminalWireOptions {
 class TerminalWire final : public Wire {
  public:
   /// \param device  the client's end of the emulated device; must outlive the wire  \throws ServeError
-  TerminalWire(std::string name, std::filesystem::path link, robot::ByteLink& device,
+  TerminalWire(std::string name, const std::filesystem::path& link, robot::ByteLink& device,
                TerminalWireOptions options);
 
   [[nodiscard]] const PseudoTerminal& terminal() const { return terminal_; }
